@@ -1,0 +1,219 @@
+"""What plcteach can say about a learner's text: every message is one declared row, and a finding is a frozen value.
+
+Voice: says what it sees and what it expected, and ends with a question or an action; it never blames.
+The bad and the good program of each row stand in the dialects' tables, because each family has its own.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Literal
+
+from plcteach.core.errors import UnknownNameError
+from plcteach.core.source import Span
+from plcteach.core.text import NOTHING, Text
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+Severity = Literal["error", "warning", "info"]
+
+
+@dataclass(frozen=True, slots=True)
+class Rule:
+    """One thing that can be said: its code, its name, what it says (with named places) and why it matters.
+
+    misconceptions: the numbers of the usual wrong ideas behind it, as the teaching notes count them.
+    """
+
+    code: str
+    name: str
+    severity: Severity
+    says: Text
+    why: Text
+    misconceptions: tuple[int, ...] = ()
+
+    def __repr__(self) -> str:
+        return f"Rule({self.code} {self.name})"
+
+    def at(self, span: Span, *, severity: Severity | None = None, fix: Text = NOTHING, **values: object) -> Diagnostic:
+        """Make a finding of this rule at a place."""
+        return Diagnostic(self.code, severity or self.severity, span, self.says.format(**values), fix=fix)
+
+
+@dataclass(frozen=True, slots=True)
+class Note:
+    """A further place that a finding points at, with what is to be seen there."""
+
+    span: Span
+    text: Text
+
+
+@dataclass(frozen=True, slots=True)
+class Diagnostic:
+    """One finding in a learner's text, in two languages."""
+
+    code: str
+    severity: Severity
+    span: Span
+    text: Text
+    notes: tuple[Note, ...] = field(default=())
+    fix: Text = NOTHING
+
+    def __repr__(self) -> str:
+        return f"{self.severity} {self.code} at {self.span}: {self.text.en}"
+
+    @property
+    def why(self) -> Text:
+        """Why it matters, from the rule's row."""
+        return rule(self.code).why
+
+
+def errors(diagnostics: Iterable[Diagnostic]) -> list[Diagnostic]:
+    """Give the findings that keep a program from being run."""
+    return [one for one in diagnostics if one.severity == "error"]
+
+
+def rule(code: str) -> Rule:
+    """Give the declared row of a code such as "STK001"."""
+    try:
+        return RULES[code.upper()]
+    except KeyError:
+        kind = "diagnostic"
+        raise UnknownNameError(kind, code, RULES) from None
+
+
+_ROWS = (
+    # RDR: reading the text
+    Rule("RDR001", "unknown-instruction", "error",
+         Text("“{word}”不是{family}的指令。{near}这一行想做什么？",
+              "{family} has no instruction {word}. {near}What should this line do?"),
+         Text("PLC只认识自己指令集里的助记符；拼写差一个字母就是另一条指令。",
+              "A PLC knows only the mnemonics of its own set; one letter more or less is another instruction.")),
+    Rule("RDR002", "not-run-here", "error",
+         Text("{word}是{family}的指令，但plcteach目前只认得它，还不执行它。这个练习能不用它写吗？",
+              "{word} is an instruction of {family} that plcteach recognises but does not run. Can it be written without?"),
+         Text("这里只执行讲到的指令；其余的只认名字，以免把真指令说成错误。",
+              "Only what the lessons teach is executed; the rest is known by name, so that it is never called a mistake.")),
+    Rule("RDR003", "operand-missing", "error",
+         Text("{word}后面还应有{expected}。", "{word} wants {expected} after it."),
+         Text("一条指令由操作码和操作数组成：做什么，对谁做。",
+              "An instruction is an opcode and its operand: what to do, and to which bit.")),
+    Rule("RDR004", "operand-too-many", "error",
+         Text("{word}到这里已经完整，后面的“{rest}”是多余的。它属于下一行吗？",
+              "{word} is complete before {rest}. Does that belong on the next line?"),
+         Text("堆栈指令没有操作数：它们处理的是堆栈里已有的值。",
+              "Stack instructions have no operand: they work on what the stack already holds.")),
+    Rule("RDR005", "address-unread", "error",
+         Text("“{word}”读不成{family}的地址，这里应写{expected}。{near}",
+              "{word} does not read as an address of {family}; expected here: {expected}. {near}"),
+         Text("地址由区域字母和编号组成，说明取哪一位。",
+              "An address is the letter of an area and a number: it says which bit is meant.")),
+    Rule("RDR006", "address-out-of-range", "error",
+         Text("没有{word}这个地址：{area}的范围是{first}–{last}。{note}",
+              "There is no {word}: {area} goes from {first} to {last}. {note}"),
+         Text("每个区域的点数是固定的；FX的X、Y按八进制编号，X7之后是X10。",
+              "Each area has a fixed size; X and Y of the FX count in octal, so X10 follows X7.")),
+    Rule("RDR007", "area-unsuited", "error",
+         Text("{word}不能用于{address}：这里应是{expected}。", "{word} does not work on {address}: it wants {expected}."),
+         Text("输入只能由现场接线改变，所以线圈不能写输入；立即指令只对输入有意义。",
+              "Only the wiring changes an input, so a coil cannot write one; an immediate contact makes sense for inputs only.")),
+    Rule("RDR008", "number-out-of-range", "error",
+         Text("{word}的{name}应在{first}到{last}之间，这里是{number}。",
+              "{name} of {word} lies between {first} and {last}; here it is {number}."),
+         Text("操作数里的数有固定范围，例如九层堆栈只能数0到8。",
+              "A number operand has its range: a stack of nine levels is counted 0 to 8.")),
+    Rule("RDR009", "comment-open", "error",
+         Text("从这里开始的注释 (* 一直没有 *) 结束。", "The comment that (* opens here is never closed by *)."),
+         Text("没有结束的注释会把后面的程序全部吞掉。", "A comment left open swallows the rest of the program.")),
+    Rule("RDR010", "parenthesis-stray", "error",
+         Text("这个 ) 前面没有对应的 AND( 或 OR( 。它要结束哪一块？",
+              "This ) closes nothing: no AND( or OR( is open before it. Which block should it end?"),
+         Text("括号成对：打开时保存累加器，关闭时取回来合并。",
+              "Parentheses come in pairs: opening saves the accumulator, closing brings it back and combines.")),
+    Rule("RDR011", "parenthesis-open", "error",
+         Text("{word}打开的括号到梯级结束也没有 ) 。这一块到哪里为止？",
+              "The parenthesis that {word} opens is not closed before the rung ends. Where does the block end?"),
+         Text("没有关闭的括号里，累加器的值一直留在括号栈里，没有人用它。",
+              "While a parenthesis is open the saved value waits on its stack and nobody uses it.")),
+    Rule("RDR012", "input-written", "warning",
+         Text("{word} {address}写的是输入映像：下一次读输入时就被现场的状态覆盖。是想写Q吗？",
+              "{word} {address} writes the image of an input: the next reading of the inputs overwrites it. Was Q meant?"),
+         Text("输入映像在每个扫描开始时由端子刷新，程序写进去的值活不过一个扫描。",
+              "The terminals refresh the input image at the start of each scan; what a program writes there lasts no longer.")),
+    Rule("RDR013", "too-long", "error",
+         Text("这段文本太长（{size}），plcteach只读到{most}。", "The text is too long ({size}); plcteach reads up to {most}."),
+         Text("课程里的程序只有几十行；过长的文本多半是选错了文件。",
+              "A lesson's program has some dozens of lines; a text of this size is most likely the wrong file.")),
+    Rule("RDR014", "character-unread", "error",
+         Text("这里有读不出的字符（{word}）。文件的编码对吗？", "There is a character here that cannot be read ({word}). Is it the right file and encoding?"),
+         Text("程序文本里不会有控制字符；多半是把别的文件当成了程序。",
+              "A program's text has no control characters; most likely another kind of file was opened.")),
+    # STK: the stack, whatever the values
+    Rule("STK001", "underflow", "error",
+         Text("{word}要用{wanted}个值，本{unit}放进堆栈的只有{found}个。缺的那一块该由哪条{load}开始？",
+              "{word} needs {wanted} values, but this {unit} has put only {found} on the stack. Which {load} should begin the missing block?"),
+         Text("n个电路块只需要n－1条连接指令；多一条，就会去拿堆栈里不存在的块。",
+              "n blocks need n − 1 joins; one more reaches for a block that was never put on the stack."), (4,)),
+    Rule("STK002", "lost-at-bottom", "error",
+         Text("{word}再压入一个值，{levels}层堆栈已满：最下面还没有用过的值（第{row}行）被推出丢失。能先连接几块吗？",
+              "{word} pushes once more, but all {levels} levels are full: the value from row {row}, not yet used, falls out at the bottom. Can some blocks be joined earlier?"),
+         Text("堆栈的层数是固定的，推出栈底的值再也取不回来。",
+              "A stack has a fixed number of levels, and what leaves at the bottom never comes back."), (13, 14)),
+    Rule("STK003", "pop-without-push", "error",
+         Text("{word}想取回分支点的值，但那里没有{push}存下的值{what}。对应的{push}在哪里？",
+              "{word} fetches the value of a branch point, but no {push} has left one there{what}. Where is its {push}?"),
+         Text("存分支点和取分支点必须在同一个独立电路里成对出现。",
+              "Saving a branch point and fetching it come in pairs, within one circuit."), (9, 26)),
+    Rule("STK004", "join-meets-branch", "error",
+         Text("{word}要连接两个电路块，但上面那个值是{push}存的分支点，不是电路块。是不是少了一条{pop}？",
+              "{word} joins two blocks, but the value above is a branch point saved by {push}, not a block. Is a {pop} missing before it?"),
+         Text("电路块由LD开始，分支点由进栈指令保存；连接指令只能连接电路块。",
+              "A block begins with an LD, a branch point is saved by a push; a join takes blocks only.")),
+    Rule("STK005", "residue", "error",
+         Text("本{unit}结束时堆栈里还剩{count}个没有用过的值（来自第{rows}行）。它该和谁连接，或由谁输出？",
+              "When this {unit} ends, {count} unused value(s) are still on the stack (from row {rows}). What should join or output them?"),
+         Text("每个放进堆栈的值都应当被连接或输出；剩下的值说明少了一条连接指令或出栈指令。",
+              "Every value on the stack is there to be joined or output; one left over means that a join or a pop is missing."), (3, 5)),
+    Rule("STK006", "last-branch-reads", "error",
+         Text("分支点的值到{unit}结束还留在堆栈里：最后一条支路应当用{pop}，而不是{read}。",
+              "The branch point's value is still on the stack when the {unit} ends: the last branch wants {pop}, not {read}."),
+         Text("{read}只是看一眼，{pop}才把分支点的值取走，使堆栈恢复原状。".replace("{read}", "读栈").replace("{pop}", "出栈"),
+              "A read only looks; the pop takes the branch point away and leaves the stack as it was before the push."), (10,)),
+    Rule("STK007", "join-for-one-parallel", "info",
+         Text("只有一个触点的并联，{single}一条指令就够了，不必用{load}加{join}。",
+              "One contact in parallel needs no block: {single} does in one instruction what {load} and {join} do in two."),
+         Text("结果一样，只是多用一条指令、多占一层堆栈。", "The result is the same, with one instruction and one level more."), (7,)),
+    Rule("STK008", "join-for-one-series", "info",
+         Text("只有一个触点的串联，{single}一条指令就够了，不必用{load}加{join}。",
+              "One contact in series needs no block: {single} does in one instruction what {load} and {join} do in two."),
+         Text("结果一样，只是多用一条指令、多占一层堆栈。", "The result is the same, with one instruction and one level more."), (7,)),
+    Rule("STK009", "starts-from-leftover", "error",
+         Text("本{unit}第一条{word}就要用已有的值，可是这里还没有自己的值：它会接着用上一个{unit}留下的值。开头该用哪条{load}？",
+              "This {unit} starts with {word}, which combines with a value that is not its own: what the last {unit} left behind. Which {load} should it begin with?"),
+         Text("CPU不会在网络之间清空堆栈；每个网络都从LD开始，才不受前面的影响。",
+              "The CPU does not clear the stack between networks; a network that begins with LD does not depend on the one before."), (15,)),
+    Rule("STK010", "value-dropped", "warning",
+         Text("{word}丢掉了栈顶的值（来自第{row}行），而它还没有被用过。是不是少了一条连接或输出？",
+              "{word} throws the top value away (from row {row}) before anything has used it. Is a join or an output missing?"),
+         Text("读栈和出栈都会覆盖栈顶，它们不会替你保存原来的值。",
+              "A read or a pop replaces the top of the stack; it does not keep a copy of what was there."), (3, 11)),
+    Rule("STK011", "too-many-pending", "error",
+         Text("{word}处已有{count}个{kind}在等待，{family}最多允许{most}个。能先连接几块吗？",
+              "At {word}, {count} {kind} are waiting; {family} allows {most}. Can some be finished earlier?"),
+         Text("厂家给成组连接和多重分支各规定了上限；边写边连就不会超过。",
+              "The maker limits how many blocks and branch points may wait at once; joining as you go stays below it."), (13, 14)),
+    Rule("STK012", "not-inside-parentheses", "error",
+         Text("{word}不能写在括号里：括号里只收集触点。把它放到 ) 之后好吗？",
+              "{word} cannot stand inside parentheses, which only collect contacts. Could it follow the )?"),
+         Text("括号里的结果还没有和外面合并，这时输出或分支没有意义。",
+              "Inside a parenthesis the result is not yet combined with the rest, so there is nothing to output or branch.")),
+    # RUN: only the values can tell
+    Rule("RUN001", "x-reaches-output", "warning",
+         Text("{address}得到的是x：它来自栈底补进来的、谁也不知道的值，实际PLC上可能是0也可能是1。",
+              "{address} receives x: it comes from a cell that entered the stack unknown, and on a real PLC it may be 0 or 1."),
+         Text("出栈时栈底补进的值是不确定的；正确的程序从不用到它。",
+              "What enters at the bottom when the stack moves up is unknown; a sound program never uses it."), (4, 12, 13)),
+)
+
+RULES: dict[str, Rule] = {row.code: row for row in _ROWS}

@@ -1,0 +1,387 @@
+"""How a PLC family is declared: its stacks, its areas of memory and its instructions, a row each.
+
+A row that cannot work (an operand nobody declares, a stack that is not there) fails at import and names itself.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import TYPE_CHECKING, Literal
+
+from plcteach.core.diagnostic import RULES
+from plcteach.core.effect import Effect, Formula, Shape, names, parse_effect, parse_formula
+from plcteach.core.errors import DeclarationError, UnknownNameError
+from plcteach.core.text import NOTHING, Text
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator, Mapping
+
+VerbName = Literal["coil", "set", "reset", "end"]
+
+
+@dataclass(frozen=True, slots=True)
+class Verb:
+    """What an instruction does beside its stack effect: a verb, the formula that decides, and the operand it writes."""
+
+    name: VerbName
+    formula: Formula | None = None
+    target: str = "out"
+    count: str = ""
+
+
+def coil(formula: str, target: str = "out") -> Verb:
+    """Write the value of `formula` to the operand."""
+    return Verb("coil", parse_formula(formula), target)
+
+
+def set_(formula: str, count: str = "") -> Verb:
+    """Where `formula` is 1, write 1 to the operand (and to the `count`-1 bits after it)."""
+    return Verb("set", parse_formula(formula), count=count)
+
+
+def reset(formula: str, count: str = "") -> Verb:
+    """Where `formula` is 1, write 0 to the operand (and to the `count`-1 bits after it)."""
+    return Verb("reset", parse_formula(formula), count=count)
+
+
+END = Verb("end")
+
+
+@dataclass(frozen=True, slots=True)
+class Operand:
+    """An operand: its name in the effect, and either the kind of address it takes or its range of numbers."""
+
+    name: str
+    kind: str = ""
+    first: int = 0
+    last: int = 0
+    optional: bool = False
+
+    @property
+    def number(self) -> bool:
+        """Whether a number stands here and not an address."""
+        return not self.kind
+
+
+_OPERAND = re.compile(r"(?P<name>\w+)(?::(?:(?P<first>\d+)\.\.(?P<last>\d+)|(?P<kind>\w+)))?(?P<optional>\?)?")
+
+
+def parse_operand(text: str) -> Operand:
+    """Read `bit`, `m:out`, `n:0..8` or `bit?` as an operand."""
+    match = _OPERAND.fullmatch(text)
+    if not match:
+        msg = f"operand {text!r}: expected name, name:kind or name:first..last"
+        raise DeclarationError(msg)
+    optional = bool(match["optional"])
+    if match["first"] is not None:
+        return Operand(match["name"], "", int(match["first"]), int(match["last"]), optional)
+    return Operand(match["name"], match["kind"] or match["name"], optional=optional)
+
+
+@dataclass(frozen=True, slots=True)
+class Insn:
+    """One instruction: mnemonic, operands, what it does to the stacks, what else it does, and its name in two languages.
+
+    fresh: the effect where the instruction opens a new circuit.  bare: the effect when the optional operand is left out.
+    close: the effect of the `)` that ends what this instruction opens.
+    """
+
+    mnemonic: str
+    operands: tuple[Operand, ...]
+    effect: Effect
+    title: Text
+    then: tuple[Verb, ...] = ()
+    fresh: Effect | None = None
+    bare: Effect | None = None
+    close: Effect | None = None
+
+    def __repr__(self) -> str:
+        return f"Insn({self.mnemonic!r}, {self.effect.text!r})"
+
+    @property
+    def effects(self) -> tuple[Effect, ...]:
+        """Every effect that this instruction can have."""
+        return tuple(one for one in (self.effect, self.fresh, self.bare, self.close) if one)
+
+
+def insn(
+    mnemonic: str,
+    operands: str,
+    effect: str,
+    *,
+    zh: str,
+    en: str,
+    then: Verb | None = None,
+    fresh: str = "",
+    bare: str = "",
+    close: str = "",
+) -> Insn:
+    """Declare an instruction; DeclarationError names it where an operand is used that is not declared."""
+    row = Insn(
+        mnemonic,
+        tuple(parse_operand(word) for word in operands.split()),
+        parse_effect(effect),
+        Text(zh, en),
+        (then,) if then else (),
+        parse_effect(fresh) if fresh else None,
+        parse_effect(bare) if bare else None,
+        parse_effect(close) if close else None,
+    )
+    declared = {operand.name for operand in row.operands}
+    wanted = set().union(*(one.operands for one in row.effects))
+    for verb in row.then:
+        taken = {take.name for clause in row.effect.clauses for take in clause.takes}
+        used = names(verb.formula) - taken if verb.formula else frozenset()
+        wanted |= used | ({verb.target} if verb.formula else set()) | ({verb.count} if verb.count else set())
+    if wanted - declared:
+        msg = f"{mnemonic}: {', '.join(sorted(wanted - declared))} stands in no stack and is no operand"
+        raise DeclarationError(msg)
+    return row
+
+
+@dataclass(frozen=True, slots=True)
+class Stack:
+    """A stack as the family's books draw it, so many cells deep.
+
+    fixed: it always holds `depth` cells, and where one leaves, an unknown x enters.
+    register: the top cell is drawn apart under this name (FX result register, NEZA accumulator), and level 1 is below it.
+    """
+
+    name: str
+    title: Text
+    depth: int
+    fixed: bool = False
+    register: Text | None = None
+
+    @property
+    def shape(self) -> Shape:
+        """What the flow of an effect must know of it."""
+        return Shape(self.name, self.depth, self.fixed)
+
+    def level(self, position: int) -> Text:
+        """Give the learner's name of a position counted from the top, 0 first: level 1, or the register."""
+        if self.register and position == 0:
+            return self.register
+        number = position if self.register else position + 1
+        return Text(f"第{number}层", f"level {number}")
+
+
+@dataclass(frozen=True, slots=True)
+class Address:
+    """One bit of one area; `text` is its canonical spelling, `index` counts the bits of the area from 0."""
+
+    area: str
+    index: int
+    text: str
+
+    def __repr__(self) -> str:
+        return self.text
+
+
+@dataclass(frozen=True, slots=True)
+class Area:
+    """An area of bits: its letters, how it is numbered, and its ends.
+
+    per: bits in each numbered unit (8 for I0.0 … I0.7), 0 where bits are numbered straight on.  base: 8 for octal.
+    ranges: pairs of first and last, as they are written after the letters.
+    """
+
+    prefix: str
+    ranges: tuple[tuple[str, str], ...]
+    title: Text
+    per: int = 0
+    base: int = 10
+    role: Literal["input", "output", "memory"] = "memory"
+
+    def __repr__(self) -> str:
+        return f"Area({self.prefix} {self.first}-{self.last})"
+
+    @property
+    def first(self) -> str:
+        """The first address of the area."""
+        return self.prefix + self.ranges[0][0]
+
+    @property
+    def last(self) -> str:
+        """The last address of the area."""
+        return self.prefix + self.ranges[-1][1]
+
+    def index(self, digits: str) -> int | None:
+        """Give the bit's number in the area for what follows the letters; None if it does not read as one."""
+        unit, dot, bit = digits.partition(".")
+        if bool(dot) != bool(self.per) or not unit.isascii() or not unit.isdigit() or len(digits) > _LONGEST:
+            return None
+        if not self.per:
+            return int(unit, self.base) if all(int(digit) < self.base for digit in unit) else -1
+        if not bit.isascii() or not bit.isdigit():
+            return None
+        return int(unit) * self.per + int(bit) if int(bit) < self.per else -1
+
+    def holds(self, index: int) -> bool:
+        """Say whether a bit number lies in the area."""
+        return any((self.index(first) or 0) <= index <= (self.index(last) or 0) for first, last in self.ranges)
+
+    def address(self, index: int) -> Address:
+        """Give the address with this bit number, in canonical spelling."""
+        if self.per:
+            return Address(self.prefix, index, f"{self.prefix}{index // self.per}.{index % self.per}")
+        return Address(self.prefix, index, f"{self.prefix}{index:o}" if self.base == _OCTAL else f"{self.prefix}{index}")
+
+
+_LONGEST = 12
+_OCTAL = 8
+
+
+@dataclass(frozen=True, slots=True)
+class Kind:
+    """A kind of operand: the areas it may lie in, and what the reader says that it expected."""
+
+    areas: frozenset[str]
+    title: Text
+
+
+def kind(areas: str, *, zh: str, en: str) -> Kind:
+    """Declare a kind of operand by the letters of its areas."""
+    return Kind(frozenset(areas.split()), Text(zh, en))
+
+
+@dataclass(frozen=True, slots=True)
+class Sample:
+    """For one diagnostic a program that triggers exactly it, and the mended program that triggers nothing."""
+
+    code: str
+    bad: str
+    good: str
+
+
+@dataclass(frozen=True, slots=True)
+class Limit:
+    """At most so many cells of one tag at once (FX: blocks, branch points)."""
+
+    tag: str
+    most: int
+    title: Text
+
+
+Role = Literal[
+    "load", "load_not", "series", "series_not", "parallel", "parallel_not",
+    "join_series", "join_parallel", "push", "read", "pop", "invert", "coil", "set", "reset", "rise", "fall", "end",
+]  # fmt: skip
+
+
+@dataclass(frozen=True)
+class Dialect:
+    """A PLC family: what its machine has and what its instructions do. Flags carry their reasons.
+
+    list: what the family calls an instruction list.  unit: what it calls a network.
+    samples_edges_at_start: edges compare the images of two scan starts (NEZA), not two executions of one line.
+    traps: the reader's stack errors stop the machine; where False, x flows instead (S7-200).
+    roles: which mnemonic plays which part when a ladder is written out, and in the rules about blocks and branches.
+    aliases: other spellings of mnemonics (German).  letters: other letters of areas (German E, A).
+    recognised: mnemonics known by name but not run here.  specials: bits that the system drives: "on", "off", "first", "later".
+    unused: what residue at the end of a network is, where the CPU itself does not mind.
+    """
+
+    name: str
+    title: Text
+    list: Text
+    unit: Text
+    stacks: tuple[Stack, ...]
+    areas: tuple[Area, ...]
+    kinds: Mapping[str, Kind]
+    insns: tuple[Insn, ...]
+    roles: Mapping[Role, str]
+    samples_edges_at_start: bool = False
+    traps: bool = True
+    keeps_stack: bool = False
+    networks_by_title: bool = True
+    residue: Literal["error", "warning"] = "error"
+    limits: tuple[Limit, ...] = ()
+    aliases: Mapping[str, str] = field(default_factory=dict)
+    letters: Mapping[str, str] = field(default_factory=dict)
+    recognised: frozenset[str] = frozenset()
+    specials: Mapping[str, str] = field(default_factory=dict)
+    samples: tuple[Sample, ...] = ()
+    heading: str = "Network"
+    note_octal: Text = NOTHING
+
+    def __post_init__(self) -> None:
+        """Refuse a table that contradicts itself."""
+        shapes = {stack.name for stack in self.stacks}
+        for row in self.insns:
+            for effect in row.effects:
+                if {clause.stack for clause in effect.clauses} - shapes:
+                    self._refuse(f"{row.mnemonic} uses a stack that is not declared")
+            if {one.kind for one in row.operands if one.kind} - set(self.kinds):
+                self._refuse(f"{row.mnemonic} has an operand kind that is not declared")
+        if set(self.roles.values()) - set(self.words):
+            self._refuse("a role names an instruction that is not declared")
+        if len(self.words) != len(self.insns):
+            self._refuse("an instruction is declared twice")
+        if any(sample.code not in RULES for sample in self.samples):
+            self._refuse("a sample names a diagnostic that is not declared")
+
+    def _refuse(self, reason: str) -> None:
+        msg = f"dialect {self.name}: {reason}"
+        raise DeclarationError(msg)
+
+    def __repr__(self) -> str:
+        return f"Dialect({self.name!r}, {len(self.insns)} instructions)"
+
+    def __hash__(self) -> int:
+        return hash(self.name)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Dialect) and other.name == self.name
+
+    @cached_property
+    def words(self) -> dict[str, Insn]:
+        """The instructions by mnemonic."""
+        return {row.mnemonic: row for row in self.insns}
+
+    @cached_property
+    def shapes(self) -> tuple[Shape, ...]:
+        """The stacks as the flow of an effect sees them."""
+        return tuple(stack.shape for stack in self.stacks)
+
+    @cached_property
+    def parts(self) -> dict[str, Role]:
+        """The role of each mnemonic that has one."""
+        return {mnemonic: role for role, mnemonic in self.roles.items()}
+
+    def insn(self, mnemonic: str) -> Insn:
+        """Give an instruction by its mnemonic or one of its aliases; UnknownNameError suggests the nearest."""
+        word = mnemonic.upper()
+        try:
+            return self.words[self.aliases.get(word, word)]
+        except KeyError:
+            what = f"{self.name} instruction"
+            raise UnknownNameError(what, mnemonic, self.words) from None
+
+    def area(self, address: Address) -> Area:
+        """Give the area in which an address lies."""
+        return next(area for area in self.areas if area.prefix == address.area)
+
+    def address(self, word: str) -> Address | Area | None:
+        """Read an address in any usual spelling; an Area says that it lies outside that area, None that it reads as nothing."""
+        upper = word.upper()
+        for letters, plain in self.letters.items():
+            if upper.startswith(letters) and upper[len(letters) : len(letters) + 1].isdigit():
+                upper = plain + upper[len(letters) :]
+        for area in sorted(self.areas, key=lambda area: -len(area.prefix)):
+            digits = upper[len(area.prefix) :]
+            if not upper.startswith(area.prefix) or not digits[:1].isdigit():
+                continue
+            if len(digits) > _LONGEST and digits.replace(".", "", 1).isdigit():
+                return area
+            index = area.index(digits)
+            if index is not None:
+                return area.address(index) if area.holds(index) else area
+        return None
+
+    def following(self, address: Address, count: int) -> Iterator[Address]:
+        """Give `count` addresses from this one on, as S and R with a number write them."""
+        area = self.area(address)
+        return (area.address(address.index + step) for step in range(count) if area.holds(address.index + step))

@@ -1,0 +1,178 @@
+"""Finds where circuits begin and which of its readings an instruction has there: FX's LD, NEZA's closing parenthesis.
+
+A list without headings (FX, NEZA) starts a new rung at a load when every value has been used. An FX load after an output has
+two readings: it saves the result register if a later ANB or ORB takes what it saved, and otherwise it opens a new circuit and
+leaves no garbage. Which one, only what follows can tell; so such a load leaves a *ghost* on the stack, a cell that becomes real
+when a join takes it and vanishes when a branch instruction looks past it. One pass, linear in the length of the list.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+
+from plcteach.core.diagnostic import rule
+from plcteach.core.effect import Name, names
+from plcteach.core.program import Line, Network
+from plcteach.stl.tokens import Heading
+
+if TYPE_CHECKING:
+    from plcteach.core.diagnostic import Diagnostic
+    from plcteach.core.effect import Effect
+    from plcteach.core.spec import Dialect, Insn
+
+
+@dataclass(slots=True, eq=False)
+class _Cell:
+    """What this pass knows of a cell: whether an output has used it, and the load whose reading hangs on it."""
+
+    spent: bool = False
+    ghost: int = -1
+
+
+def arrange(dialect: Dialect, items: list[Line | Heading]) -> tuple[tuple[Network, ...], list[Diagnostic]]:
+    """Put lines into networks, each line with the effect that it has where it stands."""
+    walk = _Walk(dialect)
+    for item in items:
+        if isinstance(item, Heading):
+            walk.heading(item)
+        else:
+            walk.line(item)
+    return walk.finish()
+
+
+class _Walk:
+    """One pass down a list."""
+
+    def __init__(self, dialect: Dialect) -> None:
+        self.dialect = dialect
+        self.lines: list[Line] = []
+        self.headings: dict[int, list[Heading]] = {}
+        self.breaks: set[int] = set()
+        self.openers: list[Line] = []
+        self.diagnostics: list[Diagnostic] = []
+        self.clear()
+
+    def clear(self) -> None:
+        self.stacks: dict[str, list[_Cell]] = {stack.name: [] for stack in self.dialect.stacks}
+        for stack in self.dialect.stacks:
+            if stack.fixed:
+                self.stacks[stack.name] = [_Cell(spent=True) for _ in range(stack.depth)]
+
+    def heading(self, heading: Heading) -> None:
+        self.close()
+        self.clear()
+        self.headings.setdefault(len(self.lines), []).append(heading)
+
+    def line(self, line: Line) -> None:
+        number = len(self.lines)
+        line = self.married(line)
+        if not self.dialect.networks_by_title:
+            line = self.settled(line, number)
+            self.apply(line.effect, line.insn)
+        self.lines.append(line)
+
+    def married(self, line: Line) -> Line:
+        """Give a closing parenthesis the effect of what opened it."""
+        if line.insn.close:
+            self.openers.append(line)
+        elif line.insn.mnemonic == ")":
+            if not self.openers:
+                self.diagnostics.append(rule("RDR010").at(line.span))
+                return line
+            opener = self.openers.pop()
+            return replace(line, effect=opener.insn.close or line.effect)
+        return line
+
+    def close(self) -> None:
+        for opener in self.openers:
+            self.diagnostics.append(rule("RDR011").at(opener.span, word=opener.insn.mnemonic))
+        self.openers.clear()
+
+    def settled(self, line: Line, number: int) -> Line:
+        """Break the list before a load when every value is used, and choose the reading of a load that has two."""
+        if not _loads(line):
+            return line
+        if all(cell.spent for cells in self.stacks.values() for cell in cells) and not self.openers:
+            self.new_rung(number)
+        if line.insn.fresh is None:
+            return line
+        main = self.stacks[""]
+        if main and not main[-1].spent:
+            return line
+        if main:
+            main[-1].ghost = number
+            main.append(_Cell(spent=True))
+        return replace(line, effect=line.insn.fresh)
+
+    def new_rung(self, number: int) -> None:
+        self.breaks.add(number)
+        main = self.stacks[""]
+        del main[:-1]
+
+    def apply(self, effect: Effect, insn: Insn) -> None:
+        taken: dict[str, _Cell] = {}
+        for clause in effect.clauses:
+            cells = self.stacks[clause.stack]
+            for take in reversed(clause.takes):
+                if take.tag:
+                    self.find(cells, take.tag)
+                if cells:
+                    taken[take.name] = cells.pop()
+        for verb in insn.then:
+            for name in names(verb.formula) if verb.formula else ():
+                if name in taken:
+                    taken[name].spent = True
+        used: set[str] = set()
+        for clause in effect.clauses:
+            for give in clause.gives:
+                formula = give.formula
+                kept = isinstance(formula, Name) and formula.name in taken and formula.name not in used
+                if isinstance(formula, Name) and kept:
+                    used.add(formula.name)
+                self.stacks[clause.stack].append(taken[formula.name] if isinstance(formula, Name) and kept else _Cell())
+
+    def find(self, cells: list[_Cell], tag: str) -> None:
+        """Settle the ghosts that an instruction meets: a join makes the uppermost real, a branch instruction drops them."""
+        if tag == "L" and cells and cells[-1].ghost >= 0:
+            number = cells[-1].ghost
+            cells[-1].ghost = -1
+            self.lines[number] = replace(self.lines[number], effect=self.lines[number].insn.effect)
+            self.breaks.discard(number)
+        while tag != "L" and cells and cells[-1].ghost >= 0:
+            cells.pop()
+
+    def finish(self) -> tuple[tuple[Network, ...], list[Diagnostic]]:
+        self.close()
+        networks: list[Network] = []
+        current: list[Line] = []
+        heading: Heading | None = None
+
+        def flush() -> None:
+            nonlocal heading
+            if current or heading:
+                networks.append(Network(heading.title if heading else "", tuple(current), heading is not None))
+            current.clear()
+            heading = None
+
+        for number in range(len(self.lines) + 1):
+            for one in self.headings.get(number, ()):
+                flush()
+                heading = one
+            if number in self.breaks and current:
+                flush()
+            if number < len(self.lines):
+                current.append(self.lines[number])
+        flush()
+        return tuple(networks), self.diagnostics
+
+
+def _loads(line: Line) -> bool:
+    """Say whether an instruction replaces the working value by one of its own, as a load does."""
+    if line.insn.fresh:
+        return True
+    if len(line.effect.clauses) > 1 or line.insn.then:
+        return False
+    clause = line.effect.clauses[0]
+    taken = {take.name for take in clause.takes}
+    return bool(clause.gives) and not any(names(give.formula) & taken for give in clause.gives)

@@ -1,0 +1,219 @@
+"""Cuts a text into statements and headings with their places; knows comments and layout, but no instruction."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
+
+from plcteach.core.diagnostic import rule
+from plcteach.core.source import MOST_CHARACTERS, Span, half_width
+from plcteach.core.text import Text
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from plcteach.core.diagnostic import Diagnostic
+
+MOST_ROWS = 20_000
+LONGEST_ROW = 2_000
+
+
+@dataclass(frozen=True, slots=True)
+class Word:
+    """A word in half-width letters, and where it stands."""
+
+    text: str
+    span: Span
+
+    @property
+    def shown(self) -> str:
+        """The word as a message may show it: never longer than a line can bear."""
+        return self.text if len(self.text) <= _SHOWN else f"{self.text[:_SHOWN]}…"
+
+
+_SHOWN = 24
+
+
+@dataclass(slots=True)
+class Statement:
+    """The words of one instruction, the comment behind it and the comment lines above it."""
+
+    words: list[Word]
+    comment: str = ""
+    above: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Heading:
+    """A line that begins a network, with its title."""
+
+    span: Span
+    title: str
+
+
+@dataclass(slots=True)
+class Tokens:
+    """Everything a text is made of, in order; `tail` holds the comments after the last statement."""
+
+    items: list[Statement | Heading] = field(default_factory=list)
+    diagnostics: list[Diagnostic] = field(default_factory=list)
+    tail: tuple[str, ...] = ()
+
+
+_HEADING = re.compile(r"\s*(?:NETWORK|RUNG|网络|程序段|梯级)\s*(?P<number>\d{0,9})\s*(?P<rest>(?![\w.]).*)", re.IGNORECASE)
+_WRAPPER = re.compile(
+    r"\s*(?:ORGANIZATION_BLOCK\b.*|END_ORGANIZATION_BLOCK\s*|BEGIN\s*|TITLE\s*=.*|AUTHOR\s*:.*|VERSION\s*:.*)", re.IGNORECASE
+)
+_VARIABLES = re.compile(r"\s*VAR(?:_INPUT|_OUTPUT|_IN_OUT|_TEMP)?\s*", re.IGNORECASE)
+_WORDS = re.compile(r"[^\s,;]+")
+_CONTROL = re.compile(r"[\x00-\x08\x0e-\x1f\x7f]")
+
+
+class _Cutter:
+    """Goes down the rows of one text, with what it must remember from row to row."""
+
+    def __init__(self, closers: bool) -> None:
+        self.out = Tokens()
+        self.closers = closers
+        self.comments: list[str] = []
+        self.opened: Span | None = None
+        self.in_variables = False
+
+    def cut(self, text: str) -> Tokens:
+        rows = text.split("\n")
+        for number, row in enumerate(rows[:MOST_ROWS], 1):
+            self.row(number, row.rstrip("\r"))
+        if len(rows) > MOST_ROWS:
+            self.too_long(Span(MOST_ROWS + 1), _rows(len(rows)), _rows(MOST_ROWS))
+        if self.opened:
+            self.out.diagnostics.append(rule("RDR009").at(self.opened))
+        self.out.tail = tuple(self.comments)
+        return self.out
+
+    def too_long(self, span: Span, size: Text, most: Text) -> None:
+        self.out.diagnostics.append(rule("RDR013").at(span, size=size, most=most))
+
+    def row(self, number: int, given: str) -> None:
+        if len(given) > LONGEST_ROW:
+            self.too_long(Span(number, LONGEST_ROW, len(given)), _characters(len(given)), _characters(LONGEST_ROW))
+            given = given[:LONGEST_ROW]
+        control = _CONTROL.search(given)
+        if control:
+            at = control.start()
+            self.out.diagnostics.append(rule("RDR014").at(Span(number, at, at + 1), word=f"U+{ord(given[at]):04X}"))
+            given = _CONTROL.sub(" ", given)
+        plain = half_width(given)
+        if self.in_variables:
+            self.in_variables = not plain.strip().upper().startswith("END_VAR")
+        elif not self.opened and _VARIABLES.fullmatch(plain):
+            self.in_variables = True
+        elif not self.heading(number, plain, given) and not self.skipped(plain):
+            self.statements(number, plain, given)
+
+    def skipped(self, plain: str) -> bool:
+        return not self.opened and (bool(_WRAPPER.fullmatch(plain)) or plain.lstrip().startswith("###"))
+
+    def heading(self, number: int, plain: str, given: str) -> bool:
+        match = None if self.opened else _HEADING.fullmatch(plain)
+        if not match:
+            return False
+        title = given[match.start("rest") :].strip().lstrip("/:：;；").strip()
+        if title.startswith("(*") and title.endswith("*)"):
+            title = title[2:-2].strip()
+        self.out.items.append(Heading(Span(number, 0, len(given)), title))
+        return True
+
+    def statements(self, number: int, plain: str, given: str) -> None:
+        code, comment = self.without_comments(number, plain, given)
+        start = len(self.out.items)
+        for first, last in _pieces(code):
+            words = list(_split(code, first, last, number, closers=self.closers))
+            for statement in _closed(words, closers=self.closers):
+                self.out.items.append(Statement(statement, above=tuple(self.comments)))
+                self.comments.clear()
+        if comment and len(self.out.items) > start:
+            last_one = self.out.items[-1]
+            if isinstance(last_one, Statement):
+                last_one.comment = comment
+        elif comment:
+            self.comments.append(comment)
+
+    def without_comments(self, number: int, plain: str, given: str) -> tuple[str, str]:
+        """Blank out the comments of a row, so that columns stay, and give their words apart."""
+        if not self.opened and plain.lstrip().startswith(";"):
+            return "", given.strip().lstrip(";；").strip()
+        code, said, at = [], [], 0
+        while at < len(plain):
+            if self.opened:
+                end = plain.find("*)", at)
+                said.append(given[at : end if end >= 0 else None].strip())
+                if end < 0:
+                    break
+                code.append(" " * (end + 2 - at))
+                at, self.opened = end + 2, None
+                continue
+            line, block = plain.find("//", at), plain.find("(*", at)
+            if line >= 0 and (block < 0 or line < block):
+                code.append(plain[at:line])
+                said.append(given[line + 2 :].strip())
+                break
+            if block < 0:
+                code.append(plain[at:])
+                break
+            code.append(plain[at:block] + "  ")
+            self.opened, at = Span(number, block, block + 2), block + 2
+        return "".join(code), " ".join(words for words in said if words)
+
+
+def _rows(count: int) -> Text:
+    return Text(f"{count}行", f"{count} rows")
+
+
+def _characters(count: int) -> Text:
+    return Text(f"{count}个字符", f"{count} characters")
+
+
+def _pieces(code: str) -> Iterator[tuple[int, int]]:
+    """Give the stretches between semicolons that hold anything."""
+    start = 0
+    for end in [at for at, sign in enumerate(code) if sign == ";"] + [len(code)]:
+        if code[start:end].strip():
+            yield start, end
+        start = end + 1
+
+
+def _split(code: str, first: int, last: int, row: int, *, closers: bool) -> Iterator[Word]:
+    for match in _WORDS.finditer(code, first, last):
+        text, start = match[0], match.start()
+        while closers and text.endswith(")") and len(text) > 1:
+            text = text[:-1]
+        if text:
+            yield Word(text, Span(row, start, start + len(text)))
+        for at in range(start + len(text), match.end()):
+            yield Word(")", Span(row, at, at + 1))
+
+
+def _closed(words: list[Word], *, closers: bool) -> Iterator[list[Word]]:
+    """Make each closing parenthesis a statement of its own, in families that have one."""
+    current: list[Word] = []
+    for word in words:
+        if closers and word.text == ")":
+            if current:
+                yield current
+            yield [word]
+            current = []
+        else:
+            current.append(word)
+    if current:
+        yield current
+
+
+def cut(text: str, *, closers: bool) -> Tokens:
+    """Cut a text into statements and headings; `closers`: the family closes parentheses with a `)` of its own."""
+    if len(text) > MOST_CHARACTERS:
+        out = Tokens()
+        size, most = _characters(len(text)), _characters(MOST_CHARACTERS)
+        out.diagnostics.append(rule("RDR013").at(Span(1), size=size, most=most))
+        return out
+    return _Cutter(closers).cut(text)
