@@ -214,6 +214,15 @@ _ROWS = (
               "{address} receives x: it comes from a cell that entered the stack unknown, and on a real PLC it may be 0 or 1."),
          Text("出栈时栈底补进的值是不确定的；正确的程序从不用到它。",
               "What enters at the bottom when the stack moves up is unknown; a sound program never uses it."), (4, 12, 13)),
+    # CHK: beside the reference
+    Rule("CHK001", "extra-output", "warning",
+         Text("程序还写了{address}，参考梯形图里没有它。真的需要吗？",
+              "The program also writes {address}, which the reference ladder does not. Is it meant?"),
+         Text("多驱动一个输出，现场就可能多动一台设备。",
+              "One output too many, and on the plant something moves that nobody asked for.")),
+    Rule("CHK002", "output-missing", "warning",
+         Text("程序没有写{address}，参考梯形图里有它。", "The program never writes {address}; the reference ladder does."),
+         Text("没有写的输出一直是0。", "An output that is never written stays 0.")),
 )
 
 RULES: dict[str, Rule] = {row.code: row for row in _ROWS}

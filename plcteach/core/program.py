@@ -40,6 +40,11 @@ class Line:
         return f"{self.insn.mnemonic} {operands}" if operands else self.insn.mnemonic
 
     @property
+    def bits(self) -> tuple[Address, ...]:
+        """The operands that are addresses."""
+        return tuple(arg for arg in self.args if isinstance(arg, Address))
+
+    @property
     def bound(self) -> dict[str, Arg]:
         """The operands by name."""
         return {operand.name: arg for operand, arg in zip(self.insn.operands, self.args, strict=False)}

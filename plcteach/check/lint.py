@@ -1,0 +1,36 @@
+"""Everything that can be said of a program without running it: what the reader found, and what the stack tells."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from plcteach.check.rules import STACK_RULES
+from plcteach.check.walk import Walk, walks
+from plcteach.core.diagnostic import Diagnostic, errors
+
+if TYPE_CHECKING:
+    from plcteach.core.program import Program
+
+
+def lint(program: Program) -> tuple[Diagnostic, ...]:
+    """Give all findings in order of place; a network with an unreadable line is not judged by its stack."""
+    found = list(program.diagnostics)
+    unread = {one.span.row for one in errors(program.diagnostics)}
+    starts = [network.lines[0].span.row for network in program.networks if network.lines]
+    ends = [*(row - 1 for row in starts[1:]), 10**9]
+    for walk, start, end in zip(walks(program), starts, ends, strict=True):
+        first = min(start, 1) if start == starts[0] else start
+        if not any(first <= row <= end for row in unread):
+            found += _of_network(walk)
+    return tuple(sorted(found, key=lambda one: (one.span.row, one.span.start, one.code)))
+
+
+def _of_network(walk: Walk) -> list[Diagnostic]:
+    """Find what every rule finds; after the first error the rest of the network's stack is guesswork and not reported."""
+    found = [one for row, finder in STACK_RULES.values() for one in finder(walk, row)]
+    broken = [one.span for one in errors(found)]
+    if not broken:
+        return found
+    first = min(broken)
+    at_first = [one for one in found if one.span == first and one.severity == "error"][:1]
+    return at_first + [one for one in found if one.span < first or one.severity == "info"]

@@ -1,0 +1,229 @@
+"""What the stack alone tells about a network, whatever the inputs: too little, too much, left over, or one line too many."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from plcteach.check.rules.registry import finds
+from plcteach.core.diagnostic import Diagnostic, Note, Rule
+from plcteach.core.effect import At, Name
+from plcteach.core.text import NOTHING, Text, same
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from plcteach.check.walk import Cell, Move, Walk
+    from plcteach.core.spec import Insn
+
+_FETCHES = {"read", "pop"}
+_JOINS = {"join_series", "join_parallel"}
+
+
+@finds("STK001")
+def underflow(walk: Walk, row: Rule) -> Iterator[Diagnostic]:
+    """A join, or any instruction, needs more values than the network has put on the stack."""
+    for move in walk.moves:
+        if move.role in _FETCHES:
+            continue
+        wanted = _wanted(move)
+        own = sum(cell.line is not None for cell in move.before[0])
+        first_is_foreign = bool(move.before[0]) and move.before[0][0].line is None
+        if own < wanted and not (first_is_foreign and wanted == 1):
+            yield row.at(
+                move.line.span,
+                word=move.line.text,
+                wanted=wanted,
+                found=own,
+                unit=walk.dialect.unit,
+                load=walk.dialect.roles["load"],
+            )
+
+
+def _wanted(move: Move) -> int:
+    """Count the values of the main stack that a line must find there."""
+    clause = move.line.effect.clauses[0]
+    deepest = [give.formula.n + 1 for give in clause.gives if isinstance(give.formula, At) and isinstance(give.formula.n, int)]
+    return max([sum(not take.optional for take in clause.takes if _used(move, take.name)), *deepest])
+
+
+def _used(move: Move, name: str) -> bool:
+    """Say whether a taken value matters: NEZA's LD takes the accumulator only to replace it."""
+    return (
+        any(origin.sources and move.flow.named.get(name) in origin.sources for stack in move.flow.after for origin in stack)
+        or name not in move.flow.named
+    )
+
+
+@finds("STK009")
+def starts_from_leftover(walk: Walk, row: Rule) -> Iterator[Diagnostic]:
+    """A network begins with an instruction that combines with what the last network left."""
+    move = walk.moves[0]
+    for move in walk.moves:
+        if move.before[0] and any(cell.line for cell in move.before[0]):
+            return
+        foreign = bool(move.before[0]) and _wanted(move) == 1 and move.before[0][0].line is None
+        if foreign and move.role not in _FETCHES:
+            yield row.at(move.line.span, word=move.line.text, unit=walk.dialect.unit, load=walk.dialect.roles["load"])
+            return
+
+
+@finds("STK003")
+def pop_without_push(walk: Walk, row: Rule) -> Iterator[Diagnostic]:
+    """A read or a pop finds no branch point where it looks for one."""
+    for move in walk.moves:
+        if move.role in _FETCHES:
+            cell = _fetched(move)
+            if cell is None or not cell.branch:
+                block = cell is not None and cell.line is not None
+                what = Text("，那里是一个电路块的值", ": the value there belongs to a block") if block else NOTHING
+                yield row.at(move.line.span, word=move.line.text, push=walk.dialect.roles["push"], what=what)
+
+
+def _fetched(move: Move) -> Cell | None:
+    """Give the cell that a read or a pop brings to the top."""
+    source = move.flow.after[0][0].sources[:1] if move.flow.after[0] else ()
+    return move.before[source[0][0]][source[0][1]] if source else None
+
+
+@finds("STK004")
+def join_meets_branch(walk: Walk, row: Rule) -> Iterator[Diagnostic]:
+    """A join finds a branch point where it wants a block (families whose cells are tagged)."""
+    roles = walk.dialect.roles
+    for move in walk.moves:
+        for name, tag in move.flow.tags.items():
+            if tag and move.role in _JOINS and move.taken[name].branch:
+                yield row.at(move.line.span, word=move.line.text, push=roles["push"], pop=roles["pop"])
+
+
+@finds("STK002")
+def lost_at_bottom(walk: Walk, row: Rule) -> Iterator[Diagnostic]:
+    """A push on a full stack loses a value that nothing has used."""
+    for move in walk.moves:
+        for cell in move.lost:
+            levels = max(stack.depth for stack in walk.dialect.stacks)
+            yield row.at(move.line.span, word=move.line.text, levels=levels, row=_row(cell))
+
+
+@finds("STK011")
+def too_many_pending(walk: Walk, row: Rule) -> Iterator[Diagnostic]:
+    """More blocks or branch points wait than the maker allows."""
+    for limit in walk.dialect.limits:
+        for move in walk.moves:
+            waiting = sum(cell.tag == limit.tag for cell in move.after[0])
+            if waiting > limit.most:
+                yield row.at(
+                    move.line.span,
+                    word=move.line.text,
+                    count=waiting,
+                    most=limit.most,
+                    kind=limit.title,
+                    family=walk.dialect.title,
+                )
+                break
+
+
+@finds("STK012")
+def not_inside_parentheses(walk: Walk, row: Rule) -> Iterator[Diagnostic]:
+    """An output or a branch stands inside parentheses."""
+    closed = [number for number, stack in enumerate(walk.dialect.stacks) if stack.name == "paren"]
+    for move in walk.moves:
+        inside = any(move.before[number] for number in closed)
+        if inside and (move.line.insn.then or move.role in _FETCHES | {"push"}):
+            yield row.at(move.line.span, word=move.line.text)
+
+
+@finds("STK010")
+def value_dropped(walk: Walk, row: Rule) -> Iterator[Diagnostic]:
+    """A value is thrown away before anything has used it; the cell that a pop overwrites on purpose is no loss."""
+    for before, move in zip((None, *walk.moves), walk.moves, strict=False):
+        for cell in move.dropped:
+            made_for_it = before is not None and before.role == "load" and cell.line is before.line and move.role == "pop"
+            if not made_for_it:
+                yield row.at(move.line.span, word=move.line.text, row=_row(cell))
+
+
+@finds("STK005")
+def residue(walk: Walk, row: Rule) -> Iterator[Diagnostic]:
+    """Values are left on the stack that nothing has used."""
+    left = _leftover(walk)
+    if left and not _last_read(walk, left):
+        rows = "、".join(str(_row(cell)) for cell in left), ", ".join(str(_row(cell)) for cell in left)
+        yield row.at(
+            walk.last.span,
+            severity=walk.dialect.residue,
+            unit=walk.dialect.unit,
+            count=len(left),
+            rows=Text(*rows),
+        )
+
+
+@finds("STK006")
+def last_branch_reads(walk: Walk, row: Rule) -> Iterator[Diagnostic]:
+    """The last branch was read and not popped, so that the branch point stays."""
+    read = _last_read(walk, _leftover(walk))
+    if read:
+        roles = walk.dialect.roles
+        finding = row.at(
+            walk.last.span,
+            severity=walk.dialect.residue,
+            fix=Text(f"把第{read.line.span.row}行改成{roles['pop']}。", f"Make row {read.line.span.row} a {roles['pop']}."),
+            unit=walk.dialect.unit,
+            pop=roles["pop"],
+            read=roles["read"],
+        )
+        note = Note(read.line.span, Text(f"这是最后一条支路，这里应是{roles['pop']}。", f"The last branch begins here: {roles['pop']}."))
+        yield Diagnostic(finding.code, finding.severity, finding.span, finding.text, (note,), finding.fix)
+
+
+def _leftover(walk: Walk) -> list[Cell]:
+    """Give the network's own unused cells at its end, of all stacks but the parentheses, which the reader watches."""
+    kept = [cells for cells, stack in zip(walk.end, walk.dialect.stacks, strict=True) if stack.name != "paren"]
+    return [cell for number, cells in enumerate(kept) for cell in cells if cell.live or (number and cell.line)]
+
+
+def _last_read(walk: Walk, left: list[Cell]) -> Move | None:
+    if not any(cell.branch for cell in left):
+        return None
+    return next((move for move in reversed(walk.moves) if move.role == "read"), None)
+
+
+@finds("STK007")
+def join_for_one_parallel(walk: Walk, row: Rule) -> Iterator[Diagnostic]:
+    """LD and OLD/ORB where O/OR does."""
+    yield from _single(walk, row, "join_parallel", "|")
+
+
+@finds("STK008")
+def join_for_one_series(walk: Walk, row: Rule) -> Iterator[Diagnostic]:
+    """LD and ALD/ANB where A/AND does."""
+    yield from _single(walk, row, "join_series", "&")
+
+
+def _single(walk: Walk, row: Rule, join: str, sign: str) -> Iterator[Diagnostic]:
+    for load, move in zip(walk.moves, walk.moves[1:], strict=False):
+        single = _fused(walk, load.line.insn, sign) if move.role == join and ")" not in walk.dialect.words else None
+        if single:
+            operand = load.line.text.partition(" ")[2]
+            yield Diagnostic(
+                row.code,
+                row.severity,
+                load.line.span,
+                row.says.format(single=f"{single} {operand}", load=load.line.text, join=move.line.text),
+                (Note(move.line.span, same(f"{load.line.text} + {move.line.text} → {single} {operand}")),),
+            )
+
+
+def _fused(walk: Walk, load: Insn, sign: str) -> str | None:
+    """Give the instruction that does a load and a join in one, found by its effect."""
+    formula = load.effect.text.split()[-1]
+    if not load.operands or load.effect.clauses[0].gives[-1].formula in {Name("a")}:
+        return None
+    kinds = tuple(operand.kind for operand in load.operands)
+    for insn in walk.dialect.insns:
+        if insn.effect.text == f"a -- a{sign}{formula}" and tuple(one.kind for one in insn.operands) == kinds:
+            return insn.mnemonic
+    return None
+
+
+def _row(cell: Cell) -> int:
+    return cell.line.span.row if cell.line else 0
