@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from plcteach.check.rules import STACK_RULES
-from plcteach.check.walk import Walk, walks
+from plcteach.machine.walk import Walk, walks
 from plcteach.core.diagnostic import Diagnostic, errors
 
 if TYPE_CHECKING:

@@ -1,13 +1,6 @@
-"""The notation in which an instruction is its stack effect, and where each cell goes when it runs.
+"""What an instruction does to the stacks, and where each cell goes when it runs.
 
-    effect   = clause *( ";" clause )             one clause a stack: "a -- a ; aux: -- a"
-    clause   = [ stack ":" ] cells "--" results   the top of the stack stands on the right
-    cell     = name [ "." tag ] [ "?" ]           "?": taken if it is there (a result register that may be empty)
-    result   = [ label "=" ] formula [ "." tag ]  the label is what the textbook calls the new value
-    formula  = name | "!" f | f "&" f | f "^" f | f "|" f | "(" f ")" | "[" name "]" | rise(f) | fall(f)
-
-A name left of "--" is a cell taken from the stack; any other name is an operand of the instruction. "[n]" is the cell n
-places below the top, counted from 0, before the instruction. The notation is read once, when a dialect is imported.
+An effect is a value: clauses that take cells and give cells back, written in the notation of `core.notation`.
 
 The clever part of this module is `flow`: it says, for stacks of given heights and whatever their cells hold, which cell each
 cell afterwards was before, was copied from or was made from. The simulator, the animation, the figures and the stack rules all
@@ -16,12 +9,9 @@ follow the same flow, so that a picture can never disagree with the machine.
 
 from __future__ import annotations
 
-import re
 from dataclasses import dataclass, replace
 from functools import lru_cache
 from typing import Literal
-
-from plcteach.core.errors import DeclarationError
 
 
 @dataclass(frozen=True, slots=True)
@@ -148,127 +138,6 @@ def names(formula: Formula) -> frozenset[str]:
             return names(of)
         case Both(_, left, right):
             return names(left) | names(right)
-
-
-# Reading the notation: a regular expression for the words, and one small function for each line of the grammar above.
-
-_WORD = re.compile(r"\s*(?:(?P<name>[A-Za-z_]\w*)|(?P<sign>--|[!&|^()\[\]=.:;?]))")
-_LEVELS = ("|", "^", "&")
-
-
-class _Words:
-    """The words of one effect with a finger on the next."""
-
-    def __init__(self, text: str) -> None:
-        self.text = text
-        self.words = self._split(text)
-        self.next = 0
-
-    def _split(self, text: str) -> list[str]:
-        words, at = [], 0
-        stripped = text.rstrip()
-        while at < len(stripped):
-            match = _WORD.match(stripped, at)
-            if not match:
-                msg = f"effect {text!r}: cannot read {stripped[at:]!r}"
-                raise DeclarationError(msg)
-            words.append(match["name"] or match["sign"])
-            at = match.end()
-        return words
-
-    def peek(self, ahead: int = 0) -> str:
-        place = self.next + ahead
-        return self.words[place] if place < len(self.words) else ""
-
-    def take(self, expected: str = "") -> str:
-        word = self.peek()
-        if (expected and word != expected) or not word:
-            msg = f"effect {self.text!r}: expected {expected or 'a word'} before {' '.join(self.words[self.next :])!r}"
-            raise DeclarationError(msg)
-        self.next += 1
-        return word
-
-    def accept(self, word: str) -> bool:
-        if self.peek() != word:
-            return False
-        self.next += 1
-        return True
-
-
-@lru_cache(maxsize=1024)
-def parse_effect(text: str) -> Effect:
-    """Read an effect in the notation above; DeclarationError names the word that does not fit."""
-    words = _Words(text)
-    clauses = [_clause(words)]
-    while words.accept(";"):
-        clauses.append(_clause(words))
-    if words.peek():
-        words.take("the end")
-    return Effect(tuple(clauses), text)
-
-
-@lru_cache(maxsize=1024)
-def parse_formula(text: str) -> Formula:
-    """Read a formula alone, as the verbs beside an effect have it."""
-    words = _Words(text)
-    formula = _formula(words, 0)
-    if words.peek():
-        words.take("the end")
-    return formula
-
-
-def _clause(words: _Words) -> Clause:
-    stack = ""
-    if words.peek(1) == ":":
-        stack = words.take()
-        words.take(":")
-    takes = []
-    while not words.accept("--"):
-        name = words.take()
-        tag = words.take() if words.accept(".") else ""
-        takes.append(Taken(name, tag, optional=words.accept("?")))
-    gives = []
-    while words.peek() not in {"", ";"}:
-        gives.append(_given(words))
-    return Clause(stack, tuple(takes), tuple(gives))
-
-
-def _given(words: _Words) -> Given:
-    label = ""
-    if words.peek(1) == "=":
-        label = words.take()
-        words.take("=")
-    formula = _formula(words, 0)
-    tag = words.take() if words.accept(".") else ""
-    return Given(formula, tag, label)
-
-
-def _formula(words: _Words, level: int) -> Formula:
-    if level == len(_LEVELS):
-        return _factor(words)
-    left = _formula(words, level + 1)
-    while words.accept(_LEVELS[level]):
-        left = Both(_LEVELS[level], left, _formula(words, level + 1))
-    return left
-
-
-def _factor(words: _Words) -> Formula:
-    if words.accept("!"):
-        return Not(_factor(words))
-    if words.accept("("):
-        inner = _formula(words, 0)
-        words.take(")")
-        return inner
-    if words.accept("["):
-        n = words.take()
-        words.take("]")
-        return At(n)
-    name = words.take()
-    if name in {"rise", "fall"} and words.accept("("):
-        inner = _formula(words, 0)
-        words.take(")")
-        return Edge(name == "rise", inner)
-    return Name(name)
 
 
 # Where the cells go.

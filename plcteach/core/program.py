@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from plcteach.core.diagnostic import errors
 from plcteach.core.source import Span
-from plcteach.core.spec import Address
+from plcteach.core.area import Address
 
 if TYPE_CHECKING:
     from collections.abc import Iterator

@@ -10,9 +10,11 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import TYPE_CHECKING, Literal
 
+from plcteach.core.area import LONGEST, Address, Area, Kind
 from plcteach.core.diagnostic import RULES
-from plcteach.core.effect import Effect, Formula, Shape, names, parse_effect, parse_formula
+from plcteach.core.effect import Effect, Formula, Shape, names
 from plcteach.core.errors import DeclarationError, UnknownNameError
+from plcteach.core.notation import parse_effect, parse_formula
 from plcteach.core.text import NOTHING, Text
 
 if TYPE_CHECKING:
@@ -169,85 +171,6 @@ class Stack:
 
 
 @dataclass(frozen=True, slots=True)
-class Address:
-    """One bit of one area; `text` is its canonical spelling, `index` counts the bits of the area from 0."""
-
-    area: str
-    index: int
-    text: str
-
-    def __repr__(self) -> str:
-        return self.text
-
-
-@dataclass(frozen=True, slots=True)
-class Area:
-    """An area of bits: its letters, how it is numbered, and its ends.
-
-    per: bits in each numbered unit (8 for I0.0 … I0.7), 0 where bits are numbered straight on.  base: 8 for octal.
-    ranges: pairs of first and last, as they are written after the letters.
-    """
-
-    prefix: str
-    ranges: tuple[tuple[str, str], ...]
-    title: Text
-    per: int = 0
-    base: int = 10
-    role: Literal["input", "output", "memory"] = "memory"
-
-    def __repr__(self) -> str:
-        return f"Area({self.prefix} {self.first}-{self.last})"
-
-    @property
-    def first(self) -> str:
-        """The first address of the area."""
-        return self.prefix + self.ranges[0][0]
-
-    @property
-    def last(self) -> str:
-        """The last address of the area."""
-        return self.prefix + self.ranges[-1][1]
-
-    def index(self, digits: str) -> int | None:
-        """Give the bit's number in the area for what follows the letters; None if it does not read as one."""
-        unit, dot, bit = digits.partition(".")
-        if bool(dot) != bool(self.per) or not unit.isascii() or not unit.isdigit() or len(digits) > _LONGEST:
-            return None
-        if not self.per:
-            return int(unit, self.base) if all(int(digit) < self.base for digit in unit) else -1
-        if not bit.isascii() or not bit.isdigit():
-            return None
-        return int(unit) * self.per + int(bit) if int(bit) < self.per else -1
-
-    def holds(self, index: int) -> bool:
-        """Say whether a bit number lies in the area."""
-        return any((self.index(first) or 0) <= index <= (self.index(last) or 0) for first, last in self.ranges)
-
-    def address(self, index: int) -> Address:
-        """Give the address with this bit number, in canonical spelling."""
-        if self.per:
-            return Address(self.prefix, index, f"{self.prefix}{index // self.per}.{index % self.per}")
-        return Address(self.prefix, index, f"{self.prefix}{index:o}" if self.base == _OCTAL else f"{self.prefix}{index}")
-
-
-_LONGEST = 12
-_OCTAL = 8
-
-
-@dataclass(frozen=True, slots=True)
-class Kind:
-    """A kind of operand: the areas it may lie in, and what the reader says that it expected."""
-
-    areas: frozenset[str]
-    title: Text
-
-
-def kind(areas: str, *, zh: str, en: str) -> Kind:
-    """Declare a kind of operand by the letters of its areas."""
-    return Kind(frozenset(areas.split()), Text(zh, en))
-
-
-@dataclass(frozen=True, slots=True)
 class Sample:
     """For one diagnostic a program that triggers exactly it, and the mended program that triggers nothing."""
 
@@ -281,7 +204,8 @@ class Dialect:
     roles: which mnemonic plays which part when a ladder is written out, and in the rules about blocks and branches.
     aliases: other spellings of mnemonics (German).  letters: other letters of areas (German E, A).
     recognised: mnemonics known by name but not run here.  specials: bits that the system drives: "on", "off", "first", "later".
-    unused: what residue at the end of a network is, where the CPU itself does not mind.
+    residue: how bad a leftover at the end of a network is; a warning where the CPU itself does not mind.
+    examples: small programs that together use every instruction; a card shows the first one that uses its own.
     """
 
     name: str
@@ -295,7 +219,6 @@ class Dialect:
     roles: Mapping[Role, str]
     samples_edges_at_start: bool = False
     traps: bool = True
-    keeps_stack: bool = False
     networks_by_title: bool = True
     residue: Literal["error", "warning"] = "error"
     limits: tuple[Limit, ...] = ()
@@ -304,6 +227,7 @@ class Dialect:
     recognised: frozenset[str] = frozenset()
     specials: Mapping[str, str] = field(default_factory=dict)
     samples: tuple[Sample, ...] = ()
+    examples: tuple[str, ...] = ()
     heading: str = "Network"
     note_octal: Text = NOTHING
 
@@ -351,6 +275,11 @@ class Dialect:
         """The role of each mnemonic that has one."""
         return {mnemonic: role for role, mnemonic in self.roles.items()}
 
+    def example(self, mnemonic: str) -> str:
+        """Give the first example that uses an instruction."""
+        mine = (text for text in self.examples if mnemonic in {line.split()[0] for line in text.split("; ")})
+        return next(mine, "")
+
     def insn(self, mnemonic: str) -> Insn:
         """Give an instruction by its mnemonic or one of its aliases; UnknownNameError suggests the nearest."""
         word = mnemonic.upper()
@@ -374,7 +303,7 @@ class Dialect:
             digits = upper[len(area.prefix) :]
             if not upper.startswith(area.prefix) or not digits[:1].isdigit():
                 continue
-            if len(digits) > _LONGEST and digits.replace(".", "", 1).isdigit():
+            if len(digits) > LONGEST and digits.replace(".", "", 1).isdigit():
                 return area
             index = area.index(digits)
             if index is not None:

@@ -7,7 +7,8 @@ eleven shared cells, and the same for every circuit that a ladder can draw withi
 
 from __future__ import annotations
 
-from plcteach.core.spec import END, Area, Dialect, Limit, Sample, Stack, coil, insn, kind, reset, set_
+from plcteach.core.area import Area, kind
+from plcteach.core.spec import END, Dialect, Limit, Sample, Stack, coil, insn, reset, set_
 from plcteach.core.text import Text
 
 INSTRUCTIONS = (
@@ -81,6 +82,15 @@ FX = Dialect(
     ),
     specials={"M8000": "on", "M8001": "off", "M8002": "first", "M8003": "later"},
     note_octal=Text("X和Y按八进制编号，X7之后是X10，没有8和9。", "X and Y count in octal: X10 follows X7, and there is no 8 or 9."),
+    examples=(
+        "LD X0; OR Y0; ANI X1; OUT Y0; END",
+        "LD X0; OR X2; LD X1; AND X4; LD X3; AND X5; ORB; ANB; OUT Y0",
+        "LD X0; OR X5; MPS; AND X1; OUT Y0; MRD; AND X2; OUT Y1; MPP; AND X3; OUT Y2",
+        "LDI X0; ORI X1; INV; OUT Y0; NOP",
+        "LDP X0; ANDP X1; ORP X2; SET Y0; LDF X3; ANDF X4; ORF X5; RST Y0",
+        "LD X0; PLS M0; LD X1; PLF M1; LD M0; OR M1; OUT Y0",
+        "LD X0; AND X1; MEP; OUT Y0; LD X0; AND X1; MEF; OUT Y1",
+    ),
     samples=(
         Sample("STK001", "LD X0; AND X1; ANB; OUT Y0", "LD X0; AND X1; OUT Y0"),
         Sample("STK003", "LD X0; AND X1; MPS; LD X2; AND X3; MRD; ORB; ANB; OUT Y0", "LD X0; AND X1; LD X2; AND X3; ORB; OUT Y0"),

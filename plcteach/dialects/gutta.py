@@ -5,7 +5,8 @@ Source: 004_076ff6df1b5a98bb.txt. Depths of 32 and the clearing of both stacks a
 
 from __future__ import annotations
 
-from plcteach.core.spec import Area, Dialect, Sample, Stack, coil, insn, kind, reset, set_
+from plcteach.core.area import Area, kind
+from plcteach.core.spec import Dialect, Sample, Stack, coil, insn, reset, set_
 from plcteach.core.text import Text
 
 INSTRUCTIONS = (
@@ -64,6 +65,14 @@ GUTTA = Dialect(
     },
     recognised=frozenset("CTUD CTU CTD TON TOF TONR MOVW MOVB MOVD +I -I *I /I LDW= LDW> LDW< ADD_I".split()),
     specials={"SM0.0": "on", "SM0.1": "first"},
+    examples=(
+        "LD I0.0; O Q0.0; AN I0.1; = Q0.0",
+        "LD I0.0; A I0.1; LDN I0.2; A I0.3; OLD; = Q0.0",
+        "LD I0.0; ON I0.1; LD I0.2; O I0.3; ALD; = Q0.0",
+        "LD I0.0; LPS; A I0.1; = Q0.0; LRD; A I0.2; = Q0.1; LPP; A I0.3; = Q0.2",
+        "LD I0.0; P M0.0; S Q0.0, 1; LD I0.1; N M0.1; R Q0.0, 1",
+        "LD I0.0; LPS; NOT; LD SM0.0; LPP; A I0.1; OLD; = Q0.0",
+    ),
     samples=(
         Sample("STK001", "LD I0.0; LPS; ALD; = Q0.0", "LD I0.0; LD I0.1; O I0.2; ALD; = Q0.0"),
         Sample("STK003", "LD I0.0; A I0.1; = Q0.0; LPP; A I0.2; = Q0.1", "LD I0.0; LPS; A I0.1; = Q0.0; LPP; A I0.2; = Q0.1"),

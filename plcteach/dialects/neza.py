@@ -5,7 +5,8 @@ Sources: 003_8b8dde9772520c5a.txt; the guides of its successors EIO0000003289 an
 
 from __future__ import annotations
 
-from plcteach.core.spec import END, Area, Dialect, Sample, Stack, coil, insn, kind, reset, set_
+from plcteach.core.area import Area, kind
+from plcteach.core.spec import END, Dialect, Sample, Stack, coil, insn, reset, set_
 from plcteach.core.text import Text
 
 INSTRUCTIONS = (
@@ -91,6 +92,20 @@ NEZA = Dialect(
         "BLK OUT_BLK END_BLK IN U CU CD I O JMP JMPC JMPCN SR0 SR1 SR2 SR3 SR4 SR5 SR6 SR7 RET ENDC ENDCN [".split()
     ),
     specials={"0": "off", "1": "on", "%S13": "first", "%S0": "first"},
+    examples=(
+        "LD %I0.0; OR %Q0.0; ANDN %I0.1; ST %Q0.0; END",
+        "LD %I0.0; AND( %I0.1; OR %I0.2; ); ST %Q0.0",
+        "LD %I0.0; AND %I0.1; OR( %I0.2; AND %I0.3; ); ST %Q0.0",
+        "LD %I0.0; MPS; AND %I0.1; ST %Q0.0; MRD; AND %I0.2; ST %Q0.1; MPP; AND %I0.3; STN %Q0.2",
+        "LDN %I0.0; XOR %I0.1; N; XORN %I0.2; ST %Q0.0; NOP",
+        "LDR %I0.0; S %Q0.0; LDF %I0.1; R %Q0.0",
+        "LD %I0.0; ANDR %I0.1; ORF %I0.2; ST %Q0.0",
+        "LD %I0.0; ANDF %I0.1; ORR %I0.2; ORN %I0.3; ST %Q0.0",
+        "LD %I0.0; XORR %I0.1; XORF %I0.2; ST %Q0.0",
+        "LD %I0.0; AND(N %I0.1; OR %I0.2; ); OR(N %I0.3; AND %I0.4; ); ST %Q0.0",
+        "LD %I0.0; AND(R %I0.1; OR %I0.2; ); OR(R %I0.3; AND %I0.4; ); ST %Q0.0",
+        "LD %I0.0; AND(F %I0.1; OR %I0.2; ); OR(F %I0.3; AND %I0.4; ); ST %Q0.0",
+    ),
     samples=(
         Sample("STK003", "LD %I0.0; AND %I0.1; ST %Q0.0; MPP; AND %I0.2; ST %Q0.1", "LD %I0.0; MPS; AND %I0.1; ST %Q0.0; MPP; AND %I0.2; ST %Q0.1"),
         Sample("STK005", "LD %I0.0; MPS; AND %I0.1; ST %Q0.0", "LD %I0.0; MPS; AND %I0.1; ST %Q0.0; MPP; ST %Q0.1"),

@@ -7,7 +7,8 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from plcteach.core.spec import Area, Dialect, Sample, Stack, coil, insn, kind, reset, set_
+from plcteach.core.area import Area, kind
+from plcteach.core.spec import Dialect, Sample, Stack, coil, insn, reset, set_
 from plcteach.core.text import Text
 
 INSTRUCTIONS = (
@@ -74,7 +75,6 @@ S7_200 = Dialect(
         "invert": "NOT", "coil": "=", "set": "S", "reset": "R", "rise": "EU", "fall": "ED",
     },
     traps=False,  # the CPU has no stack trap: x enters at the bottom and the program goes on
-    keeps_stack=True,  # nothing clears the stack between networks
     residue="warning",  # LPS / NOT / LDS 1 … rightly leaves a cell, and the CPU does not mind
     aliases={"U": "A", "UN": "AN", "UI": "AI", "UNI": "ANI", "ULD": "ALD"},
     letters={"E": "I", "A": "Q"},
@@ -87,6 +87,17 @@ S7_200 = Dialect(
         "TODW TODRX TODWX LDS= AS= OS= LDS<> AS<> OS<>".split()
     ) | frozenset(f"{op}{size}{rel}" for op in ("LD", "A", "O") for size in "BWDR" for rel in ("=", "<>", ">=", "<=", ">", "<")),
     specials={"SM0.0": "on", "SM0.1": "first"},
+    examples=(
+        "LD I0.0; O Q0.0; AN I0.1; = Q0.0",
+        "LD I0.0; A I0.1; LDN I0.2; A I0.3; OLD; = Q0.0",
+        "LD I0.0; O I0.1; LD I0.2; ON I0.3; ALD; = Q0.0",
+        "LD I0.0; LPS; A I0.1; = Q0.0; LRD; A I0.2; = Q0.1; LPP; AN I0.3; = Q0.2",
+        "LD I0.0; EU; S Q0.0, 1; LD I0.1; ED; R Q0.0, 1",
+        "LD I0.0; LPS; NOT; LDS 1; A I0.1; OLD; = Q0.0",
+        "LDI I0.0; AI I0.1; OI I0.2; =I Q0.0",
+        "LDNI I0.0; ANI I0.1; ONI I0.2; SI Q0.0, 1",
+        "LD I0.0; NOP 0; RI Q0.0, 1",
+    ),
     samples=(
         Sample("STK001", "LD I0.0; A I0.1; LD I0.2; A I0.3; OLD; OLD; = Q0.0", "LD I0.0; A I0.1; LD I0.2; A I0.3; OLD; = Q0.0"),
         Sample(

@@ -1,7 +1,7 @@
 """Program to trace: one pure `step` over any signal, run scan by scan with process images and edges."""
 
 from plcteach.machine.scan import Domain, Memory, Scan, Trace, run, sweep
-from plcteach.machine.signals import ONE, ZERO, Column, Product, Signal, X
+from plcteach.machine.signals import ONE, ZERO, Column, Signal, X
 from plcteach.machine.step import Step, step
 
-__all__ = ["ONE", "ZERO", "Column", "Domain", "Memory", "Product", "Scan", "Signal", "Step", "Trace", "X", "run", "step", "sweep"]
+__all__ = ["ONE", "ZERO", "Column", "Domain", "Memory", "Scan", "Signal", "Step", "Trace", "X", "run", "step", "sweep"]

@@ -10,8 +10,14 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 from weakref import WeakValueDictionary
 
+from plcteach.machine.step import Stacks, Step, step
+
 if TYPE_CHECKING:
     from collections.abc import Iterator
+
+    from plcteach.core.program import Program
+    from plcteach.core.area import Address
+    from plcteach.core.spec import Operand
 
 MOST_NODES = 2_000
 
@@ -95,3 +101,36 @@ def _spelling(term: Term) -> Iterator[Term | str]:
             yield term.op
         loose = _BINDS[part.op] < _BINDS[term.op] or (len(term.parts) == 1 and part.op in "/↑↓" and part.op != "")
         yield from ("(", part, ")") if loose else (part,)
+
+
+class Spelling:
+    """A world in which every bit is its own name, so that a run over it spells out what each cell means."""
+
+    def read(self, operand: Operand, address: Address) -> Term:
+        """Give the address as a formula."""
+        del operand
+        return name(address.text)
+
+    def past(self, address: Address | None, value: Term) -> tuple[Term, Term | None]:
+        """Give the value itself; its edge is a sign before it."""
+        del address
+        return value, None
+
+    def following(self, address: Address, count: int) -> tuple[Address, ...]:
+        """Give the address alone; a formula is written once, however many bits take it."""
+        del count
+        return (address,)
+
+
+def spelled(program: Program) -> tuple[Step[Term], ...]:
+    """Run a program once over formulas: the same steps as any scan, each cell knowing how it was made."""
+    shapes, world, blank = program.dialect.shapes, Spelling(), name("x")
+    stacks: Stacks[Term] = tuple((blank,) * shape.depth if shape.fixed else () for shape in shapes)
+    steps = []
+    for network in program.networks:
+        stacks = tuple(cells if shape.fixed else () for cells, shape in zip(stacks, shapes, strict=True))
+        for line in network.lines:
+            one = step(line, shapes, stacks, world, blank)
+            steps.append(one)
+            stacks = one.after
+    return tuple(steps)

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
 from plcteach.core.diagnostic import Diagnostic, rule
 from plcteach.core.errors import UnknownNameError
-from plcteach.core.spec import Address
+from plcteach.core.area import Address
 from plcteach.machine.signals import ONE, ZERO, Column, Signal, X
 from plcteach.machine.step import Stacks, Step, step
 

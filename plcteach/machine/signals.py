@@ -1,4 +1,4 @@
-"""What can flow through the stack: a three-valued bit, a column of many, and several signals side by side.
+"""What can flow through the stack: a three-valued bit, or a column of many, one for each of any number of cases.
 
 A bit on a PLC is 0, 1 or x (nobody knows). A `Column` holds one such bit for each of any number of cases at once, in two big
 integers: in which cases the bit may be 0, and in which it may be 1. Where both are set the bit is x. Simulation uses columns
@@ -8,7 +8,7 @@ of one case, the checker columns of all 2^n; the rules are the same, and inversi
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, Protocol, Self
+from typing import Protocol, Self
 
 
 class Signal(Protocol):
@@ -68,28 +68,3 @@ class Column:
 
 
 ZERO, ONE, X = Column(1, 0), Column(0, 1), Column(1, 1)
-
-
-@dataclass(frozen=True, slots=True)
-class Product:
-    """Several signals stepped together, so that one run yields the bit, its formula and whatever else a picture shows."""
-
-    parts: tuple[Any, ...]
-
-    def __and__(self, other: Product) -> Product:
-        return Product(tuple(a & b for a, b in zip(self.parts, other.parts, strict=True)))
-
-    def __or__(self, other: Product) -> Product:
-        return Product(tuple(a | b for a, b in zip(self.parts, other.parts, strict=True)))
-
-    def __xor__(self, other: Product) -> Product:
-        return Product(tuple(a ^ b for a, b in zip(self.parts, other.parts, strict=True)))
-
-    def __invert__(self) -> Product:
-        return Product(tuple(~a for a in self.parts))
-
-    def edge(self, previous: Product | None, *, rising: bool) -> Product:
-        """Give the edge of every part."""
-        if previous is None:
-            return Product(tuple(a.edge(None, rising=rising) for a in self.parts))
-        return Product(tuple(a.edge(b, rising=rising) for a, b in zip(self.parts, previous.parts, strict=True)))

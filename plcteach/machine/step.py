@@ -10,7 +10,7 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, Generic, Protocol, TypeVar
 
 from plcteach.core.effect import At, Both, Edge, Flow, Formula, Name, Not, Shape, flow
-from plcteach.core.spec import Address
+from plcteach.core.area import Address
 from plcteach.machine.signals import Signal
 
 if TYPE_CHECKING:

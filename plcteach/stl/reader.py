@@ -10,7 +10,8 @@ from plcteach.core.diagnostic import Diagnostic, rule
 from plcteach.core.errors import nearest
 from plcteach.core.program import Arg, Line, Program
 from plcteach.core.source import Span, decode
-from plcteach.core.spec import Address, Area, Dialect, Insn, Operand
+from plcteach.core.area import Address, Area
+from plcteach.core.spec import Dialect, Insn, Operand
 from plcteach.core.text import NOTHING, Text, same
 from plcteach.dialects import dialect as find_dialect
 from plcteach.stl.circuits import arrange

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 
-from plcteach.check.walk import Walk
+from plcteach.machine.walk import Walk
 from plcteach.core.diagnostic import Diagnostic, Rule, rule
 
 Finder = Callable[[Walk, Rule], Iterator[Diagnostic]]

@@ -12,7 +12,7 @@ from plcteach.core.text import NOTHING, Text, same
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
-    from plcteach.check.walk import Cell, Move, Walk
+    from plcteach.machine.walk import Cell, Move, Walk
     from plcteach.core.spec import Insn
 
 _FETCHES = {"read", "pop"}

@@ -39,7 +39,10 @@ class Cell:
 
 @dataclass(frozen=True, slots=True)
 class Move:
-    """One line's doing: the cells before and after, what it took by name, and what it lost or dropped unused."""
+    """One line's doing: the cells before and after, what it took by name, and what it lost or dropped unused.
+
+    spent, tags: for each cell afterwards whether it was spent by then, and the tag it bore.
+    """
 
     line: Line
     role: Role | None
@@ -49,6 +52,8 @@ class Move:
     taken: dict[str, Cell]
     lost: tuple[Cell, ...]
     dropped: tuple[Cell, ...]
+    spent: tuple[tuple[bool, ...], ...]
+    tags: tuple[tuple[str, ...], ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -94,7 +99,9 @@ def _move(dialect: Dialect, line: Line, before: tuple[tuple[Cell, ...], ...]) ->
         for name in names(verb.formula) if verb.formula else ():
             if name in taken:
                 taken[name].spent = True
-    return Move(line, role, before, after, moves, taken, lost, dropped)
+    spent = tuple(tuple(cell.spent for cell in stack) for stack in after)
+    tags = tuple(tuple(cell.tag for cell in stack) for stack in after)
+    return Move(line, role, before, after, moves, taken, lost, dropped, spent, tags)
 
 
 def _cell(origin: Origin, before: tuple[tuple[Cell, ...], ...], line: Line, role: Role | None) -> Cell:

@@ -1,0 +1,47 @@
+"""plcteach teaches how a PLC computes: instruction lists beside their stack, ladders beside their lists, proofs for marks.
+
+    import plcteach as plc
+
+    plc.play("LD I0.0; A I0.1; LD I0.2; A I0.3; OLD; = Q0.0", inputs={"I0.2": 1, "I0.3": 1})
+
+The words below are all a lesson needs. Each is found when it is first used, so that importing plcteach costs next to nothing
+and everything but the widgets and matplotlib's ink works on plain Python.
+"""
+
+from __future__ import annotations
+
+from importlib import import_module
+from typing import Any
+
+_WORDS = {
+    "read": "stl",
+    "write": "stl",
+    "run": "machine",
+    "lint": "check",
+    "compare": "check",
+    "judge": "check",
+    "grade": "check",
+    "table": "figure.verbs",
+    "illustrate": "figure.verbs",
+    "strip": "figure.verbs",
+    "draw": "figure.verbs",
+    "explain": "figure.card",
+    "play": "widgets.verbs",
+    "bench": "widgets.verbs",
+    "desk": "widgets.verbs",
+    "language": "core.text",
+}
+
+__all__ = list(_WORDS)  # noqa: PLE0605  (a list, made from the table above so that no word is listed twice)
+__version__ = "0.1.0"
+
+
+def __getattr__(name: str) -> Any:
+    if name not in _WORDS:
+        msg = f"module 'plcteach' has no attribute {name!r}"
+        raise AttributeError(msg)
+    return getattr(import_module(f"plcteach.{_WORDS[name]}"), name)
+
+
+def __dir__() -> list[str]:
+    return sorted(_WORDS)

@@ -1,0 +1,76 @@
+"""Declares the verbs and their options."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from plcteach import __version__
+from plcteach.cli import verbs as verbs_of
+from plcteach.dialects import names
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+
+def parser_of_all() -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser(prog="plcteach", description="Learn how a PLC thinks.")
+    parser.add_argument("--version", action="version", version=f"plcteach {__version__}")
+    common = argparse.ArgumentParser(add_help=False)
+    common.add_argument("--lang", choices=["en", "zh"], help="language of all messages (default: the environment's)")
+    family = argparse.ArgumentParser(add_help=False)
+    family.add_argument("--dialect", default=names()[0], choices=names(), help=f"PLC family (default {names()[0]})")
+    reading = argparse.ArgumentParser(add_help=False, parents=[common, family])
+    reading.add_argument("--encoding", help="encoding to try after UTF-8 (then GBK, cp1252)")
+    verbs = parser.add_subparsers(title="verbs", metavar="VERB")
+    parser.set_defaults(lang=None)
+
+    one = _verb(verbs, "run", verbs_of.run_verb, [reading], "run a program scan by scan")
+    one.add_argument("file", help="the program; - for standard input")
+    one.add_argument("--inputs", help='JSON: a list with one object a scan, {"I0.0": 1, "ms": 10}')
+    one.add_argument("--watch", help="addresses to print, separated by commas (default: all outputs)")
+    one.add_argument("--scan-ms", type=int, default=10, help="length of a scan in ms (default 10)")
+    one.add_argument("--anyway", action="store_true", help="run past stack errors where the machine has no trap")
+    one.add_argument("--json", action="store_true", help="print JSON only")
+
+    one = _verb(verbs, "lint", verbs_of.lint_verb, [reading], "say what is to be said of a program, or of a folder of them")
+    one.add_argument("file", help="the program or folder; - for standard input")
+    one.add_argument("--json", action="store_true", help="print JSON only")
+
+    one = _verb(verbs, "check", verbs_of.check_verb, [reading], "compare a program with a reference, by proof or counterexample")
+    one.add_argument("student", help="the program to judge; - for standard input")
+    one.add_argument("--reference", required=True, help="a program or a ladder drawing")
+    one.add_argument("--json", action="store_true", help="print JSON only")
+
+    one = _verb(verbs, "figure", verbs_of.figure_verb, [common, family], "draw the before/after figure of an instruction")
+    one.add_argument("mnemonic", help="OLD, LPS, LDS …")
+    one.add_argument("number", nargs="?", type=int, help="the number behind it, as in LDS 3")
+    one.add_argument("-o", "--output", type=Path, help=".svg, .pdf or .png (default: SVG to standard output)")
+
+    one = _verb(verbs, "explain", verbs_of.explain_verb, [common], "explain an instruction or a diagnostic; without a word, list all")
+    one.add_argument("word", nargs="*", help="OLD, STK001 …")
+    one.add_argument("--dialect", choices=names(), help="PLC family (default: the first that has it)")
+
+    one = _verb(verbs, "play", verbs_of.play_verb, [reading], "write a player page that needs no kernel and no network")
+    one.add_argument("file", help="the program; - for standard input")
+    one.add_argument("--inputs", help="JSON, as for run")
+    one.add_argument("-o", "--output", type=Path, required=True, help="the page, such as player.html")
+
+    one = _verb(verbs, "sheet", verbs_of.sheet_verb, [reading], "write a worksheet: an empty stack table as PDF")
+    one.add_argument("file", help="the program; - for standard input")
+    one.add_argument("-o", "--output", type=Path, required=True, help="the PDF")
+    one.add_argument("--key", action="store_true", help="with the answers filled in")
+
+    one = _verb(verbs, "lab", verbs_of.lab_verb, [common], "open the lessons in JupyterLab")
+    one.add_argument("folder", nargs="?", type=Path, help="where the lessons are copied (default: the checkout, else ./plcteach-lessons)")
+    one.add_argument("--no-browser", action="store_true", help="do not open a browser")
+    return parser
+
+
+def _verb(
+    verbs: Any, name: str, verb: Callable[[argparse.Namespace], int], parents: list[argparse.ArgumentParser], text: str
+) -> argparse.ArgumentParser:
+    one: argparse.ArgumentParser = verbs.add_parser(name, parents=parents, help=text, description=text.capitalize() + ".")
+    one.set_defaults(verb=verb)
+    return one

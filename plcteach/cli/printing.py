@@ -1,0 +1,105 @@
+"""Prints for people and for programs: findings with carets, tables, JSON and nothing but JSON."""
+
+from __future__ import annotations
+
+import json
+import unicodedata
+from typing import TYPE_CHECKING, Any
+
+from plcteach.core.text import Text, language
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from plcteach.core.diagnostic import Diagnostic
+    from plcteach.core.program import Program
+    from plcteach.core.verdict import Verdict
+
+
+def say(zh: str, en: str) -> str:
+    return Text(zh, en).in_(language())
+
+
+def print_json(value: object) -> None:
+    print(json.dumps(value, ensure_ascii=False))
+
+
+def plain(value: str) -> int | str:
+    return value if value == "x" else int(value)
+
+
+def finding_json(one: Diagnostic) -> dict[str, Any]:
+    lang = language()
+    notes = [note.text.in_(lang) for note in one.notes] + ([one.fix.in_(lang)] if one.fix.en else [])
+    return {
+        "code": one.code,
+        "severity": one.severity,
+        "row": one.span.row,
+        "start": one.span.start,
+        "stop": one.span.stop,
+        "text": one.text.in_(lang),
+        "notes": notes,
+    }
+
+
+def verdict_json(verdict: Verdict) -> dict[str, Any]:
+    example = verdict.counterexample
+    return {
+        "status": verdict.status,
+        "level": verdict.level,
+        "proof": verdict.proof,
+        "counterexample": example
+        and {
+            "inputs": list(example.inputs),
+            "outputs": list(example.expected[0]),
+            "expected": [{name: plain(value) for name, value in row.items()} for row in example.expected],
+            "got": [{name: plain(value) for name, value in row.items()} for row in example.got],
+            "first": {"scan": example.scan, "address": example.address},
+        },
+        "outputs": dict(verdict.outputs),
+        "diagnostics": [finding_json(one) for one in verdict.diagnostics],
+        "explored": verdict.explored,
+    }
+
+
+def printverdict_json(verdict: Verdict) -> None:
+    print(verdict.status + (f" ({verdict.proof})" if verdict.proof else ""))
+    example = verdict.counterexample
+    if example is None:
+        return
+    inputs = sorted({name for row in example.inputs for name in row})
+    held: dict[str, int] = {}
+    table = []
+    for number, row in enumerate(example.inputs):
+        held |= row
+        expected, got = example.expected[number], example.got[number]
+        table.append([number, *(held.get(name, 0) for name in inputs), *(f"{expected[name]} / {got[name]}" for name in expected)])
+    heads = [f"{name} {say('应为/实际', 'expected/got')}" for name in example.expected[0]]
+    print_table(["scan", *inputs, *heads], table)
+
+
+def print_findings(found: Sequence[Diagnostic], program: Program) -> None:
+    """Print findings the way a compiler does: the place, the row with carets, what is said and what to do."""
+    lang = language()
+    rows = program.source.split("\n")
+    for one in found:
+        print(f"{one.span.row}:{one.span.start + 1}: {one.severity} {one.code}: {one.text.in_(lang)}")
+        if 0 < one.span.row <= len(rows):
+            row = rows[one.span.row - 1].rstrip("\r").replace("\t", " ")[:200]
+            print(f"    {row}")
+            print("    " + " " * _width(row[: one.span.start]) + "^" * max(1, _width(row[one.span.start : one.span.stop])))
+        for note in one.notes:
+            print(f"    {note.span.row}: {note.text.in_(lang)}")
+        if one.fix.en:
+            print(f"    {one.fix.in_(lang)}")
+
+
+def _width(text: str) -> int:
+    return sum(2 if unicodedata.east_asian_width(sign) in "WF" else 1 for sign in text)
+
+
+def print_table(head: Sequence[object], rows: Sequence[Sequence[object]]) -> None:
+    cells = [[str(cell) for cell in row] for row in (head, *rows)]
+    widths = [max(_width(row[column]) for row in cells) for column in range(len(head))]
+    for row in cells:
+        print("  ".join(cell + " " * (width - _width(cell)) for cell, width in zip(row, widths, strict=True)).rstrip())

@@ -1,0 +1,63 @@
+"""Reads what the caller names: files, standard input, the JSON of a run's inputs."""
+
+from __future__ import annotations
+
+import json
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from plcteach.core.source import decode
+from plcteach.stl import read
+
+if TYPE_CHECKING:
+    import argparse
+
+    from plcteach.core.program import Program
+
+
+class CallError(Exception):
+    """The command was called in a way that cannot be carried out; says what to do next."""
+
+
+def _content(name: str) -> bytes:
+    if name == "-":
+        return sys.stdin.buffer.read()
+    path = Path(name)
+    if not path.is_file():
+        msg = f"there is no file {name}"
+        raise CallError(msg)
+    return path.read_content()
+
+
+def text_of(name: str, options: argparse.Namespace) -> str:
+    return decode(_content(name), options.encoding)
+
+
+def program_of(name: str, options: argparse.Namespace) -> Program:
+    return read(text_of(name, options), options.dialect)
+
+
+def scans_of(name: str | None) -> list[dict[str, Any]]:
+    if name is None:
+        return [{}]
+    try:
+        rows = json.loads(_content(name))
+    except ValueError as trouble:
+        msg = f"{name}: not JSON ({trouble})"
+        raise CallError(msg) from None
+    if not isinstance(rows, list) or not all(isinstance(row, dict) for row in rows):
+        msg = f'{name}: expected a list with one object a scan, such as [{{"I0.0": 1}}, {{}}]'
+        raise CallError(msg)
+    for row in rows:
+        for address, value in row.items():
+            if not isinstance(value, int):
+                msg = f"{name}: {address} should be 0, 1 or a whole number"
+                raise CallError(msg)
+    return rows
+
+
+def watched_of(names_given: str | None, program: Program) -> list[str]:
+    if names_given:
+        return [name.strip() for name in names_given.split(",") if name.strip()]
+    return [address.text for address in program.addresses("output")]

@@ -1,0 +1,143 @@
+"""What each verb of the command line does: read, ask the rooms, print; exit code 0 right, 1 wrong work, 2 wrong call."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from plcteach.check import lint, reference, verdict_on
+from plcteach.cli.printing import finding_json, plain, print_findings, print_json, print_table, print_verdict, say, verdict_json
+from plcteach.cli.reading import CallError, program_of, scans_of, text_of, watched_of
+from plcteach.core.diagnostic import errors
+from plcteach.core.text import language
+from plcteach.dialects import dialect as find_dialect
+from plcteach.machine import run
+
+if TYPE_CHECKING:
+    import argparse
+
+RIGHT, WRONG, MISCALLED = 0, 1, 2
+
+
+def run_verb(options: argparse.Namespace) -> int:
+    program = program_of(options.file, options)
+    found = lint(program)
+    stopped = errors(found if program.dialect.traps or not options.anyway else program.diagnostics)
+    if stopped or not program.lines:
+        if options.json:
+            print_json({"diagnostics": [finding_json(one) for one in found]})
+        else:
+            print_findings(found, program)
+        return WRONG
+    trace = run(program, scans_of(options.inputs), scan_ms=options.scan_ms)
+    watched = watched_of(options.watch, program)
+    rows = [{name: plain(repr(scan[name])) for name in watched} for scan in trace.scans]
+    if options.json:
+        print_json(rows)
+    else:
+        print_table(["scan", *watched], [[number, *row.values()] for number, row in enumerate(rows)])
+        print_findings(trace.diagnostics, program)
+    return RIGHT
+
+
+def lint_verb(options: argparse.Namespace) -> int:
+    path = Path(options.file)
+    if options.file != "-" and path.is_dir():
+        return _lint_folder(path, options)
+    program = program_of(options.file, options)
+    found = lint(program)
+    if options.json:
+        print_json([finding_json(one) for one in found])
+    else:
+        print_findings(found, program)
+        if not found:
+            print(say("没有发现问题。", "Nothing to remark."))
+    return WRONG if errors(found) else RIGHT
+
+
+def _lint_folder(folder: Path, options: argparse.Namespace) -> int:
+    files = sorted(path for path in folder.rglob("*") if path.is_file() and not path.name.startswith("."))
+    found = {str(path.relative_to(folder)): lint(program_of(str(path), options)) for path in files}
+    if options.json:
+        print_json({name: [finding_json(one) for one in each] for name, each in found.items()})
+    else:
+        rows = [[name, len(errors(each)), len(each) - len(errors(each))] for name, each in found.items()]
+        print_table([say("文件", "file"), say("错误", "errors"), say("其他", "others")], rows)
+    return WRONG if any(errors(each) for each in found.values()) else RIGHT
+
+
+def check_verb(options: argparse.Namespace) -> int:
+    student = program_of(options.student, options)
+    wanted = reference(text_of(options.reference, options), options.dialect)
+    verdict = verdict_on(wanted, student)
+    if options.json:
+        print_json(verdict_json(verdict))
+    else:
+        print_findings(verdict.diagnostics, student)
+        printverdict_json(verdict)
+    return RIGHT if verdict.status == "equal" else WRONG
+
+
+def figure_verb(options: argparse.Namespace) -> int:
+    from plcteach.figure.stack import illustrate
+    from plcteach.figure.svg import svg
+
+    scene = illustrate(find_dialect(options.dialect), options.mnemonic.upper(), options.number)
+    if options.output is None:
+        print(svg(scene, language()))
+    elif options.output.suffix == ".svg":
+        options.output.writetext_of(svg(scene, language()), encoding="utf-8")
+    else:
+        _ink(scene, options.output)
+    return RIGHT
+
+
+def _ink(scene: Any, path: Path) -> None:
+    if path.suffix not in {".pdf", ".png"}:
+        msg = f"{path}: a figure is written as .svg, .pdf or .png"
+        raise CallError(msg)
+    from plcteach.figure.mpl import save
+
+    save(scene, path, language())
+
+
+def explain_verb(options: argparse.Namespace) -> int:
+    from plcteach.figure.card import explain
+
+    print(explain(" ".join(options.word), options.dialect))
+    return RIGHT
+
+
+def play_verb(options: argparse.Namespace) -> int:
+    from plcteach.figure.film import film
+    from plcteach.publish import player_page
+
+    program = program_of(options.file, options)
+    found = lint(program)
+    if errors(found) or not program.lines:
+        print_findings(found, program)
+        return WRONG
+    shot = film(run(program, scans_of(options.inputs)).scans)
+    options.output.writetext_of(player_page(shot), encoding="utf-8")
+    print(options.output)
+    return RIGHT
+
+
+def sheet_verb(options: argparse.Namespace) -> int:
+    from plcteach.figure.mpl import save_pages
+    from plcteach.figure.table import sheet
+
+    program = program_of(options.file, options)
+    found = lint(program)
+    if errors(found) or not program.lines:
+        print_findings(found, program)
+        return WRONG
+    save_pages(sheet(program, key=options.key), options.output, language())
+    print(options.output)
+    return RIGHT
+
+
+def lab_verb(options: argparse.Namespace) -> int:
+    from plcteach.publish.lab import open_lab
+
+    return open_lab(options.folder, browser=not options.no_browser)

@@ -1,0 +1,281 @@
+"""A run as the browser plays it: keyed frames of cells with positions and words, a pure function of a trace.
+
+The browser never learns what OLD means. It is told, for every cell, a key that stays with it while it is the same cell, what a
+new one was made from and where a vanished one went; all of that follows from `Step.flow`, which the machine itself obeys.
+"""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass, field
+from hashlib import sha256
+from typing import TYPE_CHECKING, Any
+
+from plcteach.core.diagnostic import rule
+from plcteach.core.effect import Name
+from plcteach.core.text import Text, joined
+from plcteach.figure.says import says
+from plcteach.machine.formula import Term, spelled, written
+from plcteach.machine.walk import Move, walks
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+    from plcteach.core.effect import Effect
+    from plcteach.core.program import Program
+    from plcteach.core.spec import Dialect
+    from plcteach.machine.scan import Scan
+    from plcteach.machine.signals import Column
+    from plcteach.machine.step import Step
+
+MOST_STEPS = 2_000
+MOST_FORMULA_NODES = 120
+_SPARE_LEVELS = 1
+_FEWEST_DRAWN = 4
+_LONGEST_DRAWN = 12
+
+
+@dataclass(frozen=True, slots=True)
+class Film:
+    """A film: plain data for JSON. `steps` of it are drawn one at a time; step 0 is before the first line."""
+
+    data: dict[str, Any]
+
+    def __repr__(self) -> str:
+        return f"Film({self.data['digest']}, {len(self.data['steps'])} steps)"
+
+    @property
+    def json(self) -> str:
+        """The film as the browser gets it."""
+        return json.dumps(self.data, ensure_ascii=False, separators=(",", ":"))
+
+    @property
+    def length(self) -> int:
+        """How many pictures it has, the one before the first line included."""
+        return len(self.data["steps"])
+
+
+def film(scans: Iterable[Scan[Column]], title: Text | None = None) -> Film:
+    """Make a film of some scans of one trace; past `MOST_STEPS` steps it ends and says so in its title."""
+    shot = list(scans)
+    program = shot[0].program
+    maker = _Maker(program)
+    for scan in shot:
+        if len(maker.steps) + len(program.lines) > MOST_STEPS and maker.steps:
+            title = joined((title or program.dialect.title, Text("（只放开头部分）", "(the beginning only)")))
+            break
+        maker.scan(scan)
+    return Film(maker.data(title or program.dialect.title))
+
+
+@dataclass(slots=True)
+class _Maker:
+    """Collects the steps of one film, with the keys of the cells that stand now."""
+
+    program: Program
+    steps: list[dict[str, Any]] = field(default_factory=list)
+    texts: dict[str, int] = field(default_factory=dict)
+    keys: list[list[str]] = field(default_factory=list)
+    foreign: set[str] = field(default_factory=set)
+    blank: set[str] = field(default_factory=set)
+    made: int = 0
+    formulas: tuple[Step[Term], ...] = ()
+    moves: tuple[Move, ...] = ()
+    heights: list[int] = field(default_factory=list)
+
+    def __post_init__(self) -> None:
+        self.formulas = spelled(self.program)
+        self.moves = tuple(move for walk in walks(self.program) for move in walk.moves)
+        self.heights = [0] * len(self.program.dialect.stacks)
+
+    def scan(self, scan: Scan[Column]) -> None:
+        """Add the picture before a scan's first line and one for each of its steps."""
+        gone = [key for stack in self.keys for key in stack]
+        self.keys = [[self.new(blank=True) for _ in range(stack.depth)] if stack.fixed else [] for stack in self.dialect.stacks]
+        first = [["x" for _ in keys] for keys in self.keys]
+        self.foreign.clear()
+        self.steps.append(
+            {
+                "line": -1,
+                "scan": scan.number,
+                "cells": self.cells(first, None, None),
+                "leave": dict.fromkeys(gone, "top"),
+                "read": [[address, repr(scan[address])] for address in scan.inputs],
+                "say": self.opening(scan).as_dict(),
+            }
+        )
+        heads = {sum(len(one.lines) for one in self.program.networks[:at]) for at in range(1, len(self.program.networks))}
+        for number, step in enumerate(scan.steps):
+            self.step(scan, number, step, starts=number in heads)
+
+    @property
+    def dialect(self) -> Dialect:
+        return self.program.dialect
+
+    def opening(self, scan: Scan[Column]) -> Text:
+        inputs = [f"{address} = {value!r}" for address, value in scan.inputs.items()]
+        if not inputs:
+            return Text("扫描开始，还没有执行任何指令。", "The scan begins; no instruction has run yet.")
+        zh, en = "、".join(inputs), ", ".join(inputs)
+        return Text(f"扫描开始：输入映像读到{zh}。", f"The scan begins: the input image holds {en}.")
+
+    def new(self, *, blank: bool = False) -> str:
+        self.made += 1
+        key = f"k{self.made}"
+        if blank:
+            self.blank.add(key)
+        return key
+
+    def word(self, text: str) -> int:
+        return self.texts.setdefault(text, len(self.texts)) if text else -1
+
+    def step(self, scan: Scan[Column], number: int, step: Step[Column], *, starts: bool) -> None:
+        swept: dict[str, str] = {}
+        if starts:
+            swept = self.new_network()
+        before = [list(keys) for keys in self.keys]
+        shot: dict[str, Any] = {"line": number, "scan": scan.number, "from": {}, "enter": {}, "leave": swept, "changed": []}
+        self.keys = [
+            [self.key(shot, stack, place, before, step) for place in range(len(origins))]
+            for stack, origins in enumerate(step.flow.after)
+        ]
+        self.left(shot, before, step)
+        values = [[repr(value) for value in stack] for stack in step.after]
+        shot["cells"] = self.cells(values, number, step)
+        shot["read"] = [[address.text, repr(value)] for address, value in step.read]
+        shot["write"] = [[address.text, repr(value)] for address, value in step.written]
+        shot["say"] = says(self.dialect, step).as_dict()
+        warning = self.warning(number, step)
+        if warning:
+            shot["warn"] = warning.as_dict()
+        self.steps.append({name: value for name, value in shot.items() if value not in ({}, [])})
+
+    def new_network(self) -> dict[str, str]:
+        """Between networks growing stacks are emptied, and what a fixed one still holds belongs to somebody else."""
+        swept: dict[str, str] = {}
+        for number, stack in enumerate(self.dialect.stacks):
+            if stack.fixed:
+                self.foreign.update(key for key in self.keys[number] if key not in self.blank)
+            else:
+                swept.update(dict.fromkeys(self.keys[number], "top"))
+                self.keys[number] = []
+        return swept
+
+    def key(self, shot: dict[str, Any], stack: int, place: int, before: list[list[str]], step: Step[Column]) -> str:
+        """Give the key of one cell afterwards: the old one if it is the same cell, else a new one and its parents."""
+        origin = step.flow.after[stack][place]
+        parents = [before[number][at] for number, at in origin.sources if at < len(before[number])]
+        if origin.how == "kept" and parents:
+            return parents[0]
+        if origin.how == "made" and origin.sources == ((stack, place),) and parents:
+            if step.before[stack][place] != step.after[stack][place]:
+                shot["changed"].append(parents[0])
+            self.foreign.discard(parents[0])
+            self.blank.discard(parents[0])
+            return parents[0]
+        key = self.new(blank=origin.how == "blank")
+        if parents:
+            shot["from"][key] = parents
+        else:
+            shot["enter"][key] = "bottom" if origin.how == "blank" else "load"
+        return key
+
+    def left(self, shot: dict[str, Any], before: list[list[str]], step: Step[Column]) -> None:
+        standing = {key for stack in self.keys for key in stack}
+        for places, where in ((step.flow.lost, "bottom"), (step.flow.merged, "merge"), (step.flow.dropped, "top")):
+            for stack, place in places:
+                if before[stack][place] not in standing:
+                    shot["leave"][before[stack][place]] = where
+
+    def cells(self, values: list[list[str]], number: int | None, step: Step[Column] | None) -> list[list[Any]]:
+        rows: list[list[Any]] = []
+        for stack, keys in enumerate(self.keys):
+            self.heights[stack] = max(self.heights[stack], len(keys))
+            for place, key in enumerate(keys):
+                formula, name, flags = -1, -1, ""
+                if number is not None and step is not None:
+                    formula = self.word(written(self.formulas[number].after[stack][place], MOST_FORMULA_NODES))
+                    name = self.word(_name(step, stack, place))
+                    flags = self.flags(number, stack, place, key)
+                rows.append([key, stack, place, values[stack][place], formula, name, flags])
+        return rows
+
+    def flags(self, number: int, stack: int, place: int, key: str) -> str:
+        move = self.moves[number]
+        spent = move.spent[stack][place] and key not in self.blank
+        return ("s" if spent else "") + ("f" if key in self.foreign else "") + move.tags[stack][place]
+
+    def warning(self, number: int, step: Step[Column]) -> Text | None:
+        for address, value in step.written:
+            if value.unknown:
+                return rule("RUN001").says.format(address=address.text)
+        if self.moves[number].lost:
+            return Text("最下面一层还没有用过的值被推出栈底，丢失了。", "The bottom level's value, not yet used, was pushed out and is lost.")
+        return None
+
+    def data(self, title: Text) -> dict[str, Any]:
+        lines = [
+            {"text": line.text, "comment": line.comment, "row": line.span.row, "network": number}
+            for number, network in enumerate(self.program.networks)
+            for line in network.lines
+        ]
+        firsts = [sum(len(one.lines) for one in self.program.networks[:at]) for at in range(len(self.program.networks))]
+        return {
+            "title": title.as_dict(),
+            "digest": _digest(self.program),
+            "lines": lines,
+            "networks": [
+                {"title": _heading(self.program, number), "first": first} for number, first in enumerate(firsts)
+            ],
+            "columns": [self.column(number) for number in range(len(self.dialect.stacks))],
+            "texts": list(self.texts),
+            "steps": self.steps,
+        }
+
+    def column(self, number: int) -> dict[str, Any]:
+        stack = self.dialect.stacks[number]
+        whole = stack.depth if stack.depth <= _LONGEST_DRAWN else 0
+        used = max(self.heights[number] + _SPARE_LEVELS, _FEWEST_DRAWN)
+        column: dict[str, Any] = {
+            "id": stack.name or "main",
+            "title": stack.title.as_dict(),
+            "depth": stack.depth,
+            "drawn": whole or min(used, stack.depth),
+            "fixed": stack.fixed,
+        }
+        if stack.register:
+            column["register"] = stack.register.as_dict()
+        return column
+
+
+def _heading(program: Program, number: int) -> str:
+    network = program.networks[number]
+    if not network.headed:
+        return ""
+    head = f"{program.dialect.heading} {number + 1}"
+    return f"{head}: {network.title}" if network.title else head
+
+
+def _name(step: Step[Column], stack: int, place: int) -> str:
+    """Give the name that the textbook's figure of this instruction has for a cell afterwards: iv0, S2, I0.1, x."""
+    if stack:
+        return ""
+    origin = step.flow.after[stack][place]
+    if origin.label:
+        return origin.label
+    if origin.how in {"kept", "copied"}:
+        return "" if origin.sources[0][0] else figure_names(step.line.effect, len(step.before[0]))[origin.sources[0][1]]
+    if origin.how == "blank":
+        return "x"
+    return ", ".join(address.text for address, _ in step.read) if isinstance(origin.formula, Name) else ""
+
+
+def figure_names(effect: Effect, height: int) -> list[str]:
+    """Name the cells before an instruction as its figure does, top first: its labels for those it takes, iv0, iv1 … else."""
+    takes = [take.name for take in effect.clauses[0].takes][::-1] if effect.labelled else []
+    return [takes[place] if place < len(takes) else f"iv{place - len(takes)}" for place in range(height)]
+
+
+def _digest(program: Program) -> str:
+    text = "\n".join(line.text for line in program.lines)
+    return sha256(f"{program.dialect.name}\n{text}".encode()).hexdigest()[:8]

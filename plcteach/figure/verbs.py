@@ -1,0 +1,137 @@
+"""The lecturer's words that draw: a text in, a picture out that a notebook shows."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from html import escape
+from typing import TYPE_CHECKING
+
+from plcteach.core.diagnostic import errors
+from plcteach.core.errors import PlcTeachError
+from plcteach.core.text import language
+from plcteach.dialects import dialect as find_dialect
+from plcteach.dialects import names
+from plcteach.figure.film import Film, film
+from plcteach.figure.ladder import ladder_scene
+from plcteach.figure.stack import illustrate as stack_scene
+from plcteach.figure.stack import strip as strip_scene
+from plcteach.figure.svg import Figure
+from plcteach.ladder import is_drawing, lower, read_drawing
+from plcteach.machine.scan import Domain, Memory, run, sweep
+from plcteach.machine.signals import ONE, ZERO, Column, X
+from plcteach.stl import read
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Mapping
+
+    from plcteach.core.program import Program
+    from plcteach.core.spec import Dialect
+
+MOST_TABLE_INPUTS = 6
+
+
+def program_of(text: str | Program, dialect: str | Dialect | None = None) -> Program:
+    """Read a list, or lower a ladder drawing; PlcTeachError with the first finding where it cannot be read."""
+    if not isinstance(text, str):
+        return text
+    family = find_dialect(dialect or names()[0])
+    if is_drawing(text):
+        ladder, found = read_drawing(text)
+        if not errors(found):
+            return read(lower(ladder, family), family)
+    else:
+        program = read(text, family)
+        found = program.diagnostics
+        if not errors(found):
+            return program
+    one = errors(found)[0]
+    msg = f"row {one.span.row}: {one.text.in_(language())}"
+    raise PlcTeachError(msg)
+
+
+def illustrate(word: str, dialect: str | Dialect | None = None) -> Figure:
+    """Draw the before/after figure of an instruction: `illustrate("OLD")`, `illustrate("LDS 3")`."""
+    mnemonic, _, number = word.strip().partition(" ")
+    scene = stack_scene(find_dialect(dialect or names()[0]), mnemonic.upper(), int(number) if number.strip() else None)
+    return Figure(scene)
+
+
+def strip(text: str | Program, dialect: str | Dialect | None = None, inputs: Mapping[str, int] | None = None) -> Figure:
+    """Draw a whole program in one row: each instruction above the stack that it leaves."""
+    program = program_of(text, dialect)
+    return Figure(strip_scene(run(program, [dict(inputs or {})]).scans[0]))
+
+
+def draw(drawing: str) -> Figure:
+    """Draw a ladder typed as text; PlcTeachError names the row where it cannot be read."""
+    ladder, found = read_drawing(drawing)
+    if errors(found):
+        one = errors(found)[0]
+        msg = f"row {one.span.row}: {one.text.in_(language())}"
+        raise PlcTeachError(msg)
+    return Figure(ladder_scene(ladder))
+
+
+def film_of(
+    text: str | Program,
+    dialect: str | Dialect | None = None,
+    inputs: Mapping[str, int] | Iterable[Mapping[str, int]] | None = None,
+) -> Film:
+    """Make the film of one scan, or of several if `inputs` is a list with one mapping a scan."""
+    program = program_of(text, dialect)
+    scans = [dict(inputs)] if hasattr(inputs, "keys") else [dict(row) for row in inputs or [{}]]  # type: ignore[arg-type, call-overload]
+    return film(run(program, scans).scans)
+
+
+@dataclass(frozen=True, slots=True)
+class TruthTable:
+    """One scan for every combination of inputs: `rows` of input values and output values, as strings of 0, 1 and x."""
+
+    inputs: tuple[str, ...]
+    outputs: tuple[str, ...]
+    rows: tuple[tuple[str, str], ...]
+
+    def __repr__(self) -> str:
+        head = f"{' '.join(self.inputs)} | {' '.join(self.outputs)}"
+        lines = [
+            f"{_spread(values, self.inputs)} | {_spread(results, self.outputs)}".rstrip() for values, results in self.rows
+        ]
+        return "\n".join([head, *lines])
+
+    def _repr_html_(self) -> str:
+        head = "".join(f"<th>{escape(address)}</th>" for address in (*self.inputs, *self.outputs))
+        body = "".join(
+            "<tr>" + "".join(f"<td>{value}</td>" for value in values) + "".join(f"<td><b>{value}</b></td>" for value in results) + "</tr>"
+            for values, results in self.rows
+        )
+        return f"<table><tr>{head}</tr>{body}</table>"
+
+
+def _spread(values: str, names: tuple[str, ...]) -> str:
+    return " ".join(value.center(len(name)) for value, name in zip(values, names, strict=True))
+
+
+def table(text: str | Program, dialect: str | Dialect | None = None) -> TruthTable:
+    """Run one scan from power-on for every combination of the inputs (six at most) at once, and give all rows."""
+    program = program_of(text, dialect)
+    inputs = [address.text for address in program.addresses("input")]
+    outputs = [address.text for address in program.addresses("output")]
+    if len(inputs) > MOST_TABLE_INPUTS:
+        msg = f"a table of {len(inputs)} inputs would have {2 ** len(inputs)} rows; {MOST_TABLE_INPUTS} inputs is the most"
+        raise PlcTeachError(msg)
+    cases = 1 << len(inputs)
+    every = (1 << cases) - 1
+    domain = Domain(*(Column(every * bit.may0, every * bit.may1) for bit in (ZERO, ONE, X)))
+    columns = {}
+    for place, name in enumerate(reversed(inputs)):
+        ones = sum(1 << case for case in range(cases) if case >> place & 1)
+        columns[name] = Column(every & ~ones, ones)
+    after = sweep(program, Memory(), columns, domain)
+    rows = tuple(
+        (
+            "".join(columns[name].at(case) for name in inputs),
+            "".join(after.bits.get(name, domain.zero).at(case) for name in outputs),
+        )
+        for case in range(cases)
+    )
+    return TruthTable(tuple(inputs), tuple(outputs), rows)

@@ -1,0 +1,63 @@
+"""A player as one self-contained HTML file: it opens from a memory stick, with no kernel and no network."""
+
+from __future__ import annotations
+
+from html import escape
+from typing import TYPE_CHECKING
+
+from plcteach.core.text import Text, language
+from plcteach.figure.page import script, styles
+
+if TYPE_CHECKING:
+    from plcteach.figure.film import Film
+
+_POLICY = "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data:"
+_FOOT = Text(
+    "这是教学用的模型，不是真实的PLC。",
+    "This is a model for teaching, not the hardware.",
+)
+
+
+def player_page(film: Film, lang: str | None = None) -> str:
+    """Give a page that plays a film; the language can be switched in it."""
+    lang = lang or language()
+    title = escape(Text(**film.data["title"]).in_(lang))
+    data = film.json.replace("<", "\\u003c")
+    return _PAGE.format(
+        lang="zh-CN" if lang == "zh" else "en",
+        policy=_POLICY,
+        title=title,
+        styles=styles("player.css"),
+        foot=escape(_FOOT.in_(lang)),
+        data=data,
+        script=script("player.js").replace("</", "<\\/"),
+        language=lang,
+    )
+
+
+_PAGE = """<!doctype html>
+<html lang="{lang}">
+<head>
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<meta http-equiv="Content-Security-Policy" content="{policy}">
+<title>{title}</title>
+<style>
+body {{ margin: 0; padding: 1rem; font-family: system-ui, sans-serif; background: #fff; color: #1b1b1b; }}
+h1 {{ font-size: 1.1rem; font-weight: 600; margin: 0 0 .75rem; }}
+footer {{ font-size: .8rem; margin-top: .75rem; color: #555; }}
+@media (prefers-color-scheme: dark) {{ body {{ background: #16181c; color: #e8e8e8; }} footer {{ color: #b0b0b0; }} }}
+{styles}
+</style>
+</head>
+<body>
+<main><h1>{title}</h1><div id="player"></div></main>
+<footer>{foot}</footer>
+<script type="application/json" id="film">{data}</script>
+<script type="module">
+{script}
+mountPlayer(document.getElementById("player"), {{ film: JSON.parse(document.getElementById("film").textContent), lang: "{language}", index: 0 }});
+</script>
+</body>
+</html>
+"""

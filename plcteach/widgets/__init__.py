@@ -1,0 +1,7 @@
+"""What is shown in a notebook; the only room that knows anywidget. No PLC logic is here, and none in the browser."""
+
+from plcteach.widgets.bench import Workbench
+from plcteach.widgets.desk import ExerciseDesk
+from plcteach.widgets.player import StackPlayer
+
+__all__ = ["ExerciseDesk", "StackPlayer", "Workbench"]

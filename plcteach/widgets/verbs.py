@@ -1,0 +1,42 @@
+"""The lecturer's words that put something live into a notebook: play, bench, desk."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from plcteach.dialects import names
+from plcteach.figure.verbs import film_of
+from plcteach.widgets.bench import Workbench
+from plcteach.widgets.desk import ExerciseDesk
+from plcteach.widgets.player import StackPlayer
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Mapping
+
+    from plcteach.core.exercise import Exercise
+    from plcteach.core.program import Program
+    from plcteach.core.spec import Dialect
+
+
+def play(
+    text: str | Program,
+    dialect: str | Dialect | None = None,
+    inputs: Mapping[str, int] | Iterable[Mapping[str, int]] | None = None,
+    *,
+    index: int = 0,
+    size: float = 1.0,
+) -> StackPlayer:
+    """Play a list or a ladder drawing: one scan with these inputs, or one for each mapping in a list."""
+    return StackPlayer(film_of(text, dialect, inputs), index=index, size=size)
+
+
+def bench(
+    text: str = "", dialect: str | Dialect | None = None, inputs: dict[str, int] | None = None, *, size: float = 1.0
+) -> Workbench:
+    """Open a workbench: editor, switches, player and lamps."""
+    return Workbench(text.strip("\n"), dialect or names()[0], inputs, size=size)
+
+
+def desk(exercise: str | Exercise, text: str | None = None, *, size: float = 1.0) -> ExerciseDesk:
+    """Open an exercise."""
+    return ExerciseDesk(exercise, text, size=size)
