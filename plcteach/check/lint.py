@@ -11,16 +11,17 @@ from plcteach.core.diagnostic import Diagnostic, errors
 if TYPE_CHECKING:
     from plcteach.core.program import Program
 
+_BELOW_ALL = 10**9
+
 
 def lint(program: Program) -> tuple[Diagnostic, ...]:
     """Give all findings in order of place; a network with an unreadable line is not judged by its stack."""
     found = list(program.diagnostics)
     unread = {one.span.row for one in errors(program.diagnostics)}
-    starts = [network.lines[0].span.row for network in program.networks if network.lines]
-    ends = [*(row - 1 for row in starts[1:]), 10**9]
-    for walk, start, end in zip(walks(program), starts, ends, strict=True):
-        first = min(start, 1) if start == starts[0] else start
-        if not any(first <= row <= end for row in unread):
+    judged = list(walks(program))
+    starts = [0, *(walk.network.lines[0].span.row for walk in judged[1:]), _BELOW_ALL]
+    for walk, start, end in zip(judged, starts, starts[1:], strict=False):
+        if not any(start <= row < end for row in unread):
             found += _of_network(walk)
     return tuple(sorted(found, key=lambda one: (one.span.row, one.span.start, one.code)))
 

@@ -15,6 +15,7 @@ if TYPE_CHECKING:
 
 
 def parser_of_all() -> argparse.ArgumentParser:
+    """Give the parser of the whole command line."""
     parser = argparse.ArgumentParser(prog="plcteach", description="Learn how a PLC thinks.")
     parser.add_argument("--version", action="version", version=f"plcteach {__version__}")
     common = argparse.ArgumentParser(add_help=False)
@@ -25,6 +26,13 @@ def parser_of_all() -> argparse.ArgumentParser:
     reading.add_argument("--encoding", help="encoding to try after UTF-8 (then GBK, cp1252)")
     verbs = parser.add_subparsers(title="verbs", metavar="VERB")
     parser.set_defaults(lang=None)
+    _judging_verbs(verbs, reading)
+    _showing_verbs(verbs, common, family)
+    _making_verbs(verbs, common, reading)
+    return parser
+
+
+def _judging_verbs(verbs: Any, reading: argparse.ArgumentParser) -> None:
 
     one = _verb(verbs, "run", verbs_of.run_verb, [reading], "run a program scan by scan")
     one.add_argument("file", help="the program; - for standard input")
@@ -43,6 +51,8 @@ def parser_of_all() -> argparse.ArgumentParser:
     one.add_argument("--reference", required=True, help="a program or a ladder drawing")
     one.add_argument("--json", action="store_true", help="print JSON only")
 
+
+def _showing_verbs(verbs: Any, common: argparse.ArgumentParser, family: argparse.ArgumentParser) -> None:
     one = _verb(verbs, "figure", verbs_of.figure_verb, [common, family], "draw the before/after figure of an instruction")
     one.add_argument("mnemonic", help="OLD, LPS, LDS …")
     one.add_argument("number", nargs="?", type=int, help="the number behind it, as in LDS 3")
@@ -52,6 +62,8 @@ def parser_of_all() -> argparse.ArgumentParser:
     one.add_argument("word", nargs="*", help="OLD, STK001 …")
     one.add_argument("--dialect", choices=names(), help="PLC family (default: the first that has it)")
 
+
+def _making_verbs(verbs: Any, common: argparse.ArgumentParser, reading: argparse.ArgumentParser) -> None:
     one = _verb(verbs, "play", verbs_of.play_verb, [reading], "write a player page that needs no kernel and no network")
     one.add_argument("file", help="the program; - for standard input")
     one.add_argument("--inputs", help="JSON, as for run")
@@ -65,7 +77,6 @@ def parser_of_all() -> argparse.ArgumentParser:
     one = _verb(verbs, "lab", verbs_of.lab_verb, [common], "open the lessons in JupyterLab")
     one.add_argument("folder", nargs="?", type=Path, help="where the lessons are copied (default: the checkout, else ./plcteach-lessons)")
     one.add_argument("--no-browser", action="store_true", help="do not open a browser")
-    return parser
 
 
 def _verb(

@@ -9,7 +9,7 @@ from plcteach.check import lint, reference, verdict_on
 from plcteach.cli.printing import finding_json, plain, print_findings, print_json, print_table, print_verdict, say, verdict_json
 from plcteach.cli.reading import CallError, program_of, scans_of, text_of, watched_of
 from plcteach.core.diagnostic import errors
-from plcteach.core.text import language
+from plcteach.core.text import language, same
 from plcteach.dialects import dialect as find_dialect
 from plcteach.machine import run
 
@@ -117,7 +117,8 @@ def play_verb(options: argparse.Namespace) -> int:
     if errors(found) or not program.lines:
         print_findings(found, program)
         return WRONG
-    shot = film(run(program, scans_of(options.inputs)).scans)
+    name = Path(options.file).name if options.file != "-" else ""
+    shot = film(run(program, scans_of(options.inputs)).scans, same(name) if name else None)
     options.output.writetext_of(player_page(shot), encoding="utf-8")
     print(options.output)
     return RIGHT

@@ -9,12 +9,14 @@ from typing import TYPE_CHECKING
 from plcteach.core.diagnostic import RULES, Rule
 from plcteach.core.diagnostic import rule as find_rule
 from plcteach.core.errors import UnknownNameError
-from plcteach.core.text import Text, language
+from plcteach.core.text import Text, language, same
 from plcteach.dialects import dialect as find_dialect
 from plcteach.dialects import families
 from plcteach.figure.ladder import ladder_scene
 from plcteach.figure.says import describes
-from plcteach.figure.stack import illustrate, illustration, strip
+from plcteach.figure.illustration import illustration
+from plcteach.figure.stack import illustrate
+from plcteach.figure.strip import strip
 from plcteach.figure.svg import svg
 from plcteach.ladder import read_drawing
 from plcteach.machine.scan import run
@@ -31,6 +33,7 @@ _BEFORE = Text("执行前", "before")
 _AFTER = Text("执行后", "after")
 _FORM = Text("格式", "form")
 _OPERANDS = Text("操作数", "operand")
+_EFFECT = Text("堆栈作用（右边是栈顶）", "stack effect (top on the right)")
 _EXAMPLE = Text("例子", "example")
 _CLASSES = {
     "contact": Text("触点指令", "contact instruction"),
@@ -84,8 +87,10 @@ class Card:
                 else self.dialect.kinds[operand.kind].title
             )
             areas = "" if operand.number else " ".join(sorted(self.dialect.kinds[operand.kind].areas)).strip()
-            rows.append((_OPERANDS, Text(f"{operand.name}：{title.zh}（{areas}）", f"{operand.name}: {title.en} ({areas})")))
+            zh, en = (f"（{areas}）", f" ({areas})") if areas else ("", "")
+            rows.append((_OPERANDS, Text(f"{operand.name}：{title.zh}{zh}", f"{operand.name}: {title.en}{en}")))
         example = self.dialect.example(self.insn.mnemonic)
+        rows.append((_EFFECT, same(self.insn.effect.text)))
         return [*rows, (_EXAMPLE, Text(example, example))]
 
     def symbol(self) -> Scene | None:

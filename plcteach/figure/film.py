@@ -16,6 +16,7 @@ from plcteach.core.effect import Name
 from plcteach.core.text import Text, joined
 from plcteach.figure.says import says
 from plcteach.machine.formula import Term, spelled, written
+from plcteach.machine.signals import ZERO
 from plcteach.machine.walk import Move, walks
 
 if TYPE_CHECKING:
@@ -100,7 +101,7 @@ class _Maker:
                 "scan": scan.number,
                 "cells": self.cells(first, None, None),
                 "leave": dict.fromkeys(gone, "top"),
-                "read": [[address, repr(scan[address])] for address in scan.inputs],
+                "read": [[address, value] for address, value in self.inputs(scan)],
                 "say": self.opening(scan).as_dict(),
             }
         )
@@ -112,8 +113,12 @@ class _Maker:
     def dialect(self) -> Dialect:
         return self.program.dialect
 
+    def inputs(self, scan: Scan[Column]) -> list[tuple[str, str]]:
+        """Give every input of the program as the scan's input image holds it."""
+        return [(one.text, repr(scan.inputs.get(one.text, ZERO))) for one in self.program.addresses("input")]
+
     def opening(self, scan: Scan[Column]) -> Text:
-        inputs = [f"{address} = {value!r}" for address, value in scan.inputs.items()]
+        inputs = [f"{address} = {value}" for address, value in self.inputs(scan)]
         if not inputs:
             return Text("扫描开始，还没有执行任何指令。", "The scan begins; no instruction has run yet.")
         zh, en = "、".join(inputs), ", ".join(inputs)
@@ -192,7 +197,7 @@ class _Maker:
         for stack, keys in enumerate(self.keys):
             self.heights[stack] = max(self.heights[stack], len(keys))
             for place, key in enumerate(keys):
-                formula, name, flags = -1, -1, ""
+                formula, name, flags = -1, -1, "u" if key in self.blank else ""
                 if number is not None and step is not None:
                     formula = self.word(written(self.formulas[number].after[stack][place], MOST_FORMULA_NODES))
                     name = self.word(_name(step, stack, place))
@@ -202,8 +207,9 @@ class _Maker:
 
     def flags(self, number: int, stack: int, place: int, key: str) -> str:
         move = self.moves[number]
-        spent = move.spent[stack][place] and key not in self.blank
-        return ("s" if spent else "") + ("f" if key in self.foreign else "") + move.tags[stack][place]
+        if key in self.blank:
+            return "u"
+        return ("s" if move.spent[stack][place] else "") + ("f" if key in self.foreign else "") + move.tags[stack][place]
 
     def warning(self, number: int, step: Step[Column]) -> Text | None:
         for address, value in step.written:
@@ -219,6 +225,8 @@ class _Maker:
             for number, network in enumerate(self.program.networks)
             for line in network.lines
         ]
+        if len({line["row"] for line in lines}) < len(lines):  # several on one row: number them on
+            lines = [{**line, "number": number} for number, line in enumerate(lines, 1)]
         firsts = [sum(len(one.lines) for one in self.program.networks[:at]) for at in range(len(self.program.networks))]
         return {
             "title": title.as_dict(),

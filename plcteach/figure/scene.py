@@ -1,7 +1,7 @@
 """A picture as frozen shapes in a plane, with words in two languages; knows nothing of PLCs, SVG or matplotlib.
 
-Units are CSS pixels at 100 %, x to the right, y downwards. What a shape looks like is decided by its `ink`, one word from
-`figure.ink.INKS`, which the SVG writer and the matplotlib drawer both obey, so that a figure in a page and in a printed book agree.
+Units are CSS pixels at 100 %, x to the right, y downwards. What a shape looks like is decided by its `ink`, one word
+from `figure.ink.INKS`, which the SVG writer and the matplotlib drawer both obey, so that page and printed book agree.
 """
 
 from __future__ import annotations

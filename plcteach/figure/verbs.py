@@ -14,7 +14,7 @@ from plcteach.dialects import names
 from plcteach.figure.film import Film, film
 from plcteach.figure.ladder import ladder_scene
 from plcteach.figure.stack import illustrate as stack_scene
-from plcteach.figure.stack import strip as strip_scene
+from plcteach.figure.strip import strip as strip_scene
 from plcteach.figure.svg import Figure
 from plcteach.ladder import is_drawing, lower, read_drawing
 from plcteach.machine.scan import Domain, Memory, run, sweep

@@ -44,7 +44,7 @@ _PAGE = """<!doctype html>
 <title>{title}</title>
 <style>
 body {{ margin: 0; padding: 1rem; font-family: system-ui, sans-serif; background: #fff; color: #1b1b1b; }}
-h1 {{ font-size: 1.1rem; font-weight: 600; margin: 0 0 .75rem; }}
+h1 {{ position: absolute; width: 1px; height: 1px; overflow: hidden; clip-path: inset(50%); margin: 0; }}
 footer {{ font-size: .8rem; margin-top: .75rem; color: #555; }}
 @media (prefers-color-scheme: dark) {{ body {{ background: #16181c; color: #e8e8e8; }} footer {{ color: #b0b0b0; }} }}
 {styles}

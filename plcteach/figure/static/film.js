@@ -6,7 +6,7 @@ import { say } from "./ui.js";
  * @typedef {import("./ui.js").Text} Text
  * @typedef {{id: string, title: Text, register?: Text, depth: number, drawn: number, fixed?: boolean}} Column
  * @typedef {{key: string, column: number, position: number, value: "0"|"1"|"x", formula: string, name: string,
- *   spent: boolean, foreign: boolean, tag: ""|"L"|"B"}} Cell
+ *   spent: boolean, foreign: boolean, unused: boolean, tag: ""|"L"|"B"}} Cell
  * @typedef {{line: number, scan: number, cells: Array<Array<string|number>>, from?: Object<string, string[]>,
  *   enter?: Object<string, string>, leave?: Object<string, string>, changed?: string[],
  *   read?: string[][], write?: string[][], say?: Text, warn?: Text}} Step
@@ -54,6 +54,7 @@ export function cellOf(film, [key, column, position, value, formula, name, flags
     name: film.texts[name] ?? "",
     spent: flags.includes("s"),
     foreign: flags.includes("f"),
+    unused: flags.includes("u"),
     tag: flags.includes("L") ? "L" : flags.includes("B") ? "B" : "",
   };
 }

@@ -49,7 +49,7 @@ function networkSection(view, film, network, end, words) {
 
 /** One line: the gutter for a breakpoint, the number, the instruction and its comment. */
 function lineRow(line, at, { lang, breakpoints }) {
-  const number = line.row || at + 1;
+  const number = line.number || line.row || at + 1;
   const { head, rest } = splitLine(line.text);
   const label = say(LIST_WORDS.breakpoint, lang).replace("{}", number);
   const code = h("span", { className: "plc-code" }, h("span", { className: "plc-head" }, head), rest ? ` ${rest}` : "");

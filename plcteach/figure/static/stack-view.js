@@ -203,11 +203,11 @@ function makeFace() {
 
 /** Gives a cell its value, words and marks, if they are not the ones it wears. */
 function dressFace(face, cell, lang) {
-  const clothes = [cell.value, cell.name, cell.spent, cell.foreign, cell.tag, lang, cell.formula].join("\n");
+  const clothes = [cell.value, cell.name, cell.spent, cell.foreign, cell.unused, cell.tag, lang, cell.formula].join("\n");
   if (face.worn === clothes) return;
   face.worn = clothes;
   const kind = { 0: "zero", 1: "one" }[cell.value] ?? "unknown";
-  const marks = [["plc-spent", cell.spent], ["plc-foreign", cell.foreign], ["plc-tagged", cell.tag]];
+  const marks = [["plc-spent", cell.spent], ["plc-foreign", cell.foreign], ["plc-tagged", cell.tag], ["plc-unused", cell.unused]];
   face.node.className = `plc-cell plc-${kind}`;
   for (const [mark, on] of marks) face.node.classList.toggle(mark, Boolean(on));
   face.node.title = describeCell(cell, lang, { formulas: true, names: true });

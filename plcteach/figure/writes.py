@@ -1,0 +1,68 @@
+"""The words for what an instruction writes: coils, inverted coils, set and reset, pulses, and what some edges keep."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from plcteach.core.effect import Edge, Not
+from plcteach.core.text import NOTHING, Text, same
+from plcteach.figure.told import edge_seen, with_value
+
+if TYPE_CHECKING:
+    from plcteach.core.spec import Verb
+    from plcteach.figure.told import Told
+
+
+def writes(told: Told, verb: Verb) -> Text:
+    """Say what is written where, and whether it changes anything."""
+    target = told.address(verb.target) if told.step else ""
+    count = told.line.bound.get(verb.count, 1)
+    bits, be = Text(target or "操作数指定的位", target or "the operand's bit"), same("is")
+    if told.step and isinstance(count, int) and count > 1:
+        bits, be = Text(f"从{target}起的{count}个位", f"the {count} bits from {target}"), same("are")
+    if verb.name != "coil":
+        return _sets(told, verb, bits, be)
+    if isinstance(verb.formula, Edge):
+        return _pulse(told, bits, rising=verb.formula.rising)
+    unknown = Text("，是0还是1谁也不知道", ", which may be 0 or 1") if told.written == "x" else NOTHING
+    value = Text(f"的{told.written}", f", {told.written},") if told.written else Text("的值", "")
+    if isinstance(verb.formula, Not):
+        said = Text("{it}取反得{value}，写入{bits}{x}", "{it} is inverted on the way: {value} is written to {bits}{x}")
+        if not told.written:
+            said = Text("{it}的反写入{bits}", "the inverse of {it} is written to {bits}")
+        return said.format(it=told.cell(), value=told.written, bits=bits, x=unknown)
+    if told.flow.after[0] and told.flow.after[0][0].how == "made":
+        said = Text(
+            "{it}原来的值{value}存入{bits}，下一个扫描周期用它比较",
+            "what {it} was{value} is kept in {bits} for the next scan",
+        )
+        return said.format(it=told.result, value=with_value(NOTHING, told.written), bits=bits)
+    return Text("{it}{value}写入{bits}{x}", "{it}{value} is written to {bits}{x}").format(
+        it=told.result, value=value, bits=bits, x=unknown
+    )
+
+
+def _pulse(told: Told, bits: Text, *, rising: bool) -> Text:
+    if not told.written:
+        turn = Text("由0变1" if rising else "由1变0", "rises" if rising else "falls")
+        said = Text("{it}{turn}时，{bits}接通一个扫描周期", "when {it} {turn}, {bits} is on for one scan")
+        return said.format(it=told.result, turn=turn, bits=bits)
+    why = edge_seen(told, told.cell(), told.written, rising=rising)
+    return Text("{why}，{value}写入{bits}", "{why}, so {value} is written to {bits}").format(
+        why=why, value=told.written, bits=bits
+    )
+
+
+def _sets(told: Told, verb: Verb, bits: Text, be: Text) -> Text:
+    does = Text("置位（写1）", "set to 1") if verb.name == "set" else Text("复位（写0）", "reset to 0")
+    said = {
+        "": Text(
+            "{it}为1时，{bits}{does}；为0时什么也不改变",
+            "if {it} is 1, {bits} {be} {does}; if it is 0, nothing changes",
+        ),
+        "1": Text("{it}为1，{bits}{does}", "{it} is 1, so {bits} {be} {does}"),
+        "0": Text("{it}为0，{bits}不改变", "{it} is 0, so nothing changes in {bits}"),
+    }.get(
+        told.was(), Text("{it}为x，{bits}是否{does}无法知道", "{it} is x, so nobody knows whether {bits} {be} {does}")
+    )
+    return said.format(it=told.result, bits=bits, does=does, be=be)

@@ -1,0 +1,98 @@
+"""Writes ladders as text drawings in their one canonical form, which `read_drawing` reads back to equal ladders."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from plcteach.ladder.layout import RAIL, Layout, Post, layout
+from plcteach.ladder.symbols import columns, drawn
+
+if TYPE_CHECKING:
+    from plcteach.core.ladder import Ladder, Rung
+
+
+def write_drawing(ladder: Ladder | Rung) -> str:
+    """Draw a ladder, or one rung, as text; where any rung has a title, every rung gets a heading."""
+    rungs = getattr(ladder, "rungs", (ladder,))
+    headed = any(one.title for one in rungs)
+    parts = ["\n".join(_heading(one, number, headed=headed) + _rows(layout(one))) for number, one in enumerate(rungs, 1)]
+    title = "" if ladder in rungs else _one_line(ladder.title)
+    return "".join(f"{part}\n" for part in ([f"// {title}"] if title else []) + ["\n\n".join(parts)] if part)
+
+
+def _heading(rung: Rung, number: int, *, headed: bool) -> list[str]:
+    if not headed:
+        return []
+    title = _one_line(rung.title)
+    return [f"Network {number} // {title}" if title else f"Network {number}"]
+
+
+def _one_line(title: str) -> str:
+    return " ".join(title.split())
+
+
+def _rows(plan: Layout) -> list[str]:
+    posts = [post for post in plan.posts if (post.boundary, post.net) != (0, RAIL)]
+    sheet = _Sheet(plan, posts)
+    rows = []
+    for row in range(plan.rows):
+        rows.append(sheet.row(row))
+        if _touching(posts, row):
+            rows.append(sheet.spacer(row))
+    return rows
+
+
+def _touching(posts: list[Post], row: int) -> bool:
+    """Say whether two separate vertical wires would touch if the next row followed at once."""
+    ending = {post.boundary for post in posts if post.rows[-1] == row}
+    return any(post.rows[0] == row + 1 and post.boundary in ending for post in posts)
+
+
+class _Sheet:
+    """One rung on its way to text: how wide each column is, and what stands in each cell."""
+
+    def __init__(self, plan: Layout, posts: list[Post]) -> None:
+        self.plan = plan
+        self.posts = posts
+        self.words = {(piece.row, piece.column): drawn(piece.symbol) for piece in plan.pieces}
+        self.wired = {(run.row, column) for run in plan.runs for column in range(run.start, run.stop)}
+        self.widths = [
+            max((columns(word) for (_, column), word in self.words.items() if column == wanted), default=0)
+            for wanted in range(plan.columns)
+        ]
+        self.forked = {post.boundary for post in posts}
+
+    def row(self, row: int) -> str:
+        signs = [self.gap(row, 0)]
+        for column, width in enumerate(self.widths):
+            word = self.words.get((row, column), "")
+            fill = "-" if (word or (row, column) in self.wired) and column < self.plan.columns - 1 else " "
+            signs += [word, fill * (width - columns(word)), self.gap(row, column + 1)]
+        return "".join(signs).rstrip()
+
+    def filled(self, row: int, column: int) -> bool:
+        return (row, column) in self.words or (row, column) in self.wired
+
+    def gap(self, row: int, boundary: int) -> str:
+        """Give the wires on a boundary: a joint, a vertical wire passing by, a wire straight on, or nothing."""
+        left, right = self.filled(row, boundary - 1), self.filled(row, boundary)
+        if boundary == self.plan.columns:
+            return ""
+        if boundary not in self.forked:
+            return "--" if right else "  "
+        joined = any(row in post.rows for post in self.posts if post.boundary == boundary)
+        middle = "+" if joined else self.passing(boundary, row, row) or ("-" if left and right else " ")
+        return ("--" if left else "  ") + middle + ("--" if right else "  ")
+
+    def passing(self, boundary: int, first: int, last: int) -> str:
+        over = (post for post in self.posts if post.boundary == boundary)
+        return "|" if any(post.rows[0] <= first and last <= post.rows[-1] for post in over) else ""
+
+    def spacer(self, row: int) -> str:
+        """Give a row that only keeps two vertical wires apart."""
+        signs = ["  "]
+        for boundary in range(1, self.plan.columns):
+            signs.append(" " * self.widths[boundary - 1])
+            middle = self.passing(boundary, row, row + 1) or " "
+            signs.append(f"  {middle}  " if boundary in self.forked else "  ")
+        return "".join(signs).rstrip()

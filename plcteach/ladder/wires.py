@@ -1,0 +1,222 @@
+"""Reads one drawn rung: signs on a grid become nets of wire, and symbols become the edges between nets.
+
+There are no crossings in a ladder, so wires that touch are joined. A `+` joins in all four directions, but upwards and downwards
+only to another `+` or `|`; two `-` one below the other do not touch. Everything within three columns of the left margin is the
+left rail, because no symbol is narrower than that.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, NamedTuple
+
+from plcteach.core.diagnostic import Diagnostic, rule
+from plcteach.core.ladder import Coil, Contact, Invert
+from plcteach.core.source import Span
+from plcteach.core.text import Text, same
+from plcteach.ladder.symbols import coil, contact
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+Cell = tuple[int, int]
+Symbol = Contact | Invert | Coil
+LEFT = 0
+"""The net of the left rail."""
+
+FILL = "\ufdd0"
+"""Stands in the second column of a sign that is two columns wide."""
+
+_MARGIN = 3
+_WIRES = frozenset("-|+")
+_TOKEN = re.compile(r"(?P<wire>[-|+]+)|(?P<symbol>\[[^\[\]]*\]|\([^()]*\)|\{[^{}]*\})|(?P<open>[\[\](){}])|(?P<word>[^\s\-|+\[\](){}]+)")
+_SHOWN = 24
+
+
+class Row(NamedTuple):
+    """One row of a drawing in columns as they are seen; `places` gives for each column the code point in the text."""
+
+    number: int
+    signs: str
+    places: list[int]
+
+    def span(self, start: int, stop: int) -> Span:
+        """Give the place in the text of some columns."""
+        places = [*self.places, self.places[-1] + 1 if self.places else 0]
+        return Span(self.number, places[min(start, len(self.signs))], places[min(stop, len(self.signs))])
+
+
+@dataclass(slots=True)
+class Element:
+    """A symbol where it was drawn, and the nets at its two ends (None: nothing there)."""
+
+    symbol: Symbol
+    row: int
+    start: int
+    stop: int
+    source: int | None = None
+    target: int | None = None
+
+
+@dataclass(slots=True)
+class Sheet:
+    """A drawn rung: its rows, its elements from top to bottom, and the net of each piece of wire."""
+
+    rows: list[Row]
+    elements: list[Element] = field(default_factory=list)
+    nets: dict[Cell, int] = field(default_factory=dict)
+    found: list[Diagnostic] = field(default_factory=list)
+
+    def say(self, code: str, row: int, start: int, stop: int, **values: object) -> None:
+        """Note a finding at some columns of a row."""
+        self.found.append(rule(code).at(self.rows[row].span(start, stop), **values))
+
+    def say_of(self, code: str, element: Element) -> None:
+        """Note a finding at an element, which it names."""
+        self.say(code, element.row, element.start, element.stop, word=self.name(element))
+
+    def name(self, element: Element) -> Text:
+        """Give an element as it was drawn."""
+        return same(shown(self.rows[element.row].signs[element.start : element.stop]))
+
+    @property
+    def margin(self) -> int:
+        """The column at which the drawing begins."""
+        return min((len(row.signs) - len(row.signs.lstrip()) for row in self.rows if row.signs.strip()), default=0)
+
+    def sign(self, row: int, column: int) -> str:
+        """Give the wire sign in a cell, or nothing."""
+        return self.rows[row].signs[column] if (row, column) in self.nets else ""
+
+
+def shown(words: str) -> str:
+    """Give what was drawn as a message may show it."""
+    plain = words.replace(FILL, "")
+    return plain if len(plain) <= _SHOWN else f"{plain[:_SHOWN]}…"
+
+
+def sheet(rows: list[Row]) -> Sheet:
+    """Find the symbols and nets of one drawn rung; stops at the first kind of finding, so that one slip is said once."""
+    out = Sheet(rows)
+    for number in range(len(rows)):
+        _tokens(out, number)
+    if not out.found:
+        _number_nets(out)
+        _connect(out)
+        _check(out)
+    return out
+
+
+def _tokens(out: Sheet, row: int) -> None:
+    for match in _TOKEN.finditer(out.rows[row].signs):
+        start, stop = match.span()
+        if match["wire"]:
+            out.nets.update({(row, column): -1 for column in range(start, stop)})
+        elif match["symbol"]:
+            _symbol(out, row, start, stop)
+        else:
+            code = "DRW002" if match["open"] else "DRW001"
+            out.say(code, row, start, stop, word=same(shown(match[0])))
+
+
+def _symbol(out: Sheet, row: int, start: int, stop: int) -> None:
+    drawn = out.rows[row].signs[start:stop]
+    words = drawn[1:-1].replace(FILL, "")
+    if drawn[0] == "{":
+        out.say("DRW005", row, start, stop, word=same(shown(drawn)))
+        return
+    symbol: Symbol | None = contact(words) if drawn[0] == "[" else coil(words)
+    if symbol is None:
+        out.say("DRW003" if drawn[0] == "[" else "DRW004", row, start, stop, word=same(shown(drawn)))
+    else:
+        out.elements.append(Element(symbol, row, start, stop))
+
+
+def _neighbours(out: Sheet, cell: Cell) -> Iterator[Cell]:
+    """Give the wires that touch a piece of wire."""
+    row, column = cell
+    sign = out.rows[row].signs[column]
+    for other in ((row, column - 1), (row, column + 1)):
+        if other in out.nets and sign + out.rows[row].signs[other[1]] != "||":
+            yield other
+    for other in ((row - 1, column), (row + 1, column)):
+        if other in out.nets and sign + out.rows[other[0]].signs[column] not in {"--", "+-", "-+"}:
+            yield other
+
+
+def _number_nets(out: Sheet) -> None:
+    """Give all wires that hang together one number, the left rail being 0."""
+    first = [next((at for at, sign in enumerate(row.signs) if not sign.isspace()), None) for row in out.rows]
+    edge = out.margin + _MARGIN
+    rail = [(row, column) for row, column in enumerate(first) if column is not None and column < edge]
+    _flood(out, [cell for cell in rail if cell in out.nets], LEFT)
+    number = LEFT
+    for cell in list(out.nets):
+        if out.nets[cell] < 0:
+            number += 1
+            _flood(out, [cell], number)
+
+
+def _flood(out: Sheet, waiting: list[Cell], number: int) -> None:
+    while waiting:
+        cell = waiting.pop()
+        if out.nets[cell] < 0:
+            out.nets[cell] = number
+            waiting += _neighbours(out, cell)
+
+
+def _connect(out: Sheet) -> None:
+    """Find the net at each end of each element; elements drawn without a gap share a net of their own."""
+    fresh = max(out.nets.values(), default=LEFT)
+    before: Element | None = None
+    for element in out.elements:
+        row = element.row
+        element.source = out.nets.get((row, element.start - 1))
+        if element.source is None and before and (before.row, before.stop) == (row, element.start):
+            fresh += 1
+            before.target = element.source = fresh
+        elif element.source is None and not out.rows[row].signs[: element.start].strip() and element.start < out.margin + _MARGIN:
+            element.source = LEFT
+        element.target = out.nets.get((row, element.stop))
+        before = element
+
+
+def _check(out: Sheet) -> None:
+    """Report coils that something follows, wires past an element, paths that begin or end nowhere, and loose ends."""
+    right = {one.target for one in out.elements if isinstance(one.symbol, Coil)} - {None}
+    feeds = {one.source for one in out.elements} - {None}
+    fed = {one.target for one in out.elements if not isinstance(one.symbol, Coil)} - {None} | {LEFT}
+    for one in out.elements:
+        if one.source is None or one.source not in fed | right:
+            out.say_of("DRW008", one)
+        elif one.source == one.target:
+            out.say_of("DRW010", one)
+        elif one.source in right:
+            out.say_of("DRW011", one)
+        elif not isinstance(one.symbol, Coil) and (one.target is None or one.target not in feeds):
+            out.say_of("DRW007", one)
+    if not out.found:
+        _loose(out, right | {LEFT} if LEFT in feeds else right)
+
+
+def _loose(out: Sheet, rails: set[int | None]) -> None:
+    """Report pieces of wire with an end that touches nothing; rails may end anywhere, and so may a right rail apart."""
+    ends = {(one.row, one.start - 1) for one in out.elements} | {(one.row, one.stop) for one in out.elements}
+    last = max((one.stop for one in out.elements), default=0)
+    edge = out.margin + _MARGIN
+    said: set[int] = set()
+    for cell, net in out.nets.items():
+        upright = out.sign(*cell) != "-"
+        at_rail = net in rails and (net != LEFT or cell[1] < edge)
+        if at_rail or (upright and (cell[1] >= last or cell[1] < edge)) or net in said:
+            continue
+        if len(list(_neighbours(out, cell))) + (cell in ends) + ((cell[0], cell[1]) in ends and _both(out, cell)) < 2:  # noqa: PLR2004
+            out.say("DRW006", cell[0], cell[1], cell[1] + 1)
+            said.add(net)
+
+
+def _both(out: Sheet, cell: Cell) -> bool:
+    """Say whether a single sign stands between two elements."""
+    row, column = cell
+    return any((one.row, one.stop) == cell for one in out.elements) and any((one.row, one.start - 1) == (row, column) for one in out.elements)
