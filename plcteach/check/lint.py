@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from plcteach.check.rules import STACK_RULES
+from plcteach.check.rules import PROGRAM_RULES, STACK_RULES
 from plcteach.machine.walk import Walk, walks
 from plcteach.core.diagnostic import Diagnostic, errors
 
@@ -17,6 +17,7 @@ _BELOW_ALL = 10**9
 def lint(program: Program) -> tuple[Diagnostic, ...]:
     """Give all findings in order of place; a network with an unreadable line is not judged by its stack."""
     found = list(program.diagnostics)
+    found += [one for row, finder in PROGRAM_RULES.values() for one in finder(program, row)]
     unread = {one.span.row for one in errors(program.diagnostics)}
     judged = list(walks(program))
     starts = [0, *(walk.network.lines[0].span.row for walk in judged[1:]), _BELOW_ALL]

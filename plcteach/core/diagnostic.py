@@ -154,7 +154,7 @@ _ROWS = (
          Text("{word}要用{wanted}个值，本{unit}放进堆栈的只有{found}个。缺的那一块该由哪条{load}开始？",
               "{word} needs {wanted} values, but this {unit} has put only {found} on the stack. Which {load} should begin the missing block?"),
          Text("n个电路块只需要n－1条连接指令；多一条，就会去拿堆栈里不存在的块。",
-              "n blocks need n − 1 joins; one more reaches for a block that was never put on the stack."), (4,)),
+              "n blocks need n − 1 joins; one more reaches for a block that was never put on the stack."), (4, 12, 25)),
     Rule("STK002", "lost-at-bottom", "error",
          Text("{word}再压入一个值，{levels}层堆栈已满：最下面还没有用过的值（第{row}行）被推出丢失。能先连接几块吗？",
               "{word} pushes once more, but all {levels} levels are full: the value from row {row}, not yet used, falls out at the bottom. Can some blocks be joined earlier?"),
@@ -208,6 +208,12 @@ _ROWS = (
               "{word} cannot stand inside parentheses, which only collect contacts. Could it follow the )?"),
          Text("括号里的结果还没有和外面合并，这时输出或分支没有意义。",
               "Inside a parenthesis the result is not yet combined with the rest, so there is nothing to output or branch.")),
+    # COI: the program as a whole
+    Rule("COI001", "double-coil", "warning",
+         Text("{address}在第{row}行已经输出过一次；每个扫描里最后写的那个才算数。能把两个条件合成一个梯级吗？",
+              "{address} is already driven in row {row}; in each scan the last coil wins. Can both conditions share one coil?"),
+         Text("同一个线圈出现两次不是“或”：后面的结果覆盖前面的。",
+              "Two coils of one bit are no OR: the later one overwrites what the earlier one wrote."), (20,)),
     # RUN: only the values can tell
     Rule("RUN001", "x-reaches-output", "warning",
          Text("{address}得到的是x：它来自栈底补进来的、谁也不知道的值，实际PLC上可能是0也可能是1。",

@@ -215,5 +215,5 @@ def depth(top: Node | Out | Rung) -> int:
     while waiting:
         one, level = waiting.pop()
         deepest = max(deepest, level)
-        waiting += [(part, level + 1) for part in _inside(one)]  # type: ignore[misc]
+        waiting += [(part, level + 1) for part in _inside(one)]
     return deepest

@@ -92,6 +92,7 @@ FX = Dialect(
         "LD X0; AND X1; MEP; OUT Y0; LD X0; AND X1; MEF; OUT Y1",
     ),
     samples=(
+        Sample("COI001", "LD X0; OUT Y0; LD X1; OUT Y0", "LD X0; OR X1; OUT Y0"),
         Sample("STK001", "LD X0; AND X1; ANB; OUT Y0", "LD X0; AND X1; OUT Y0"),
         Sample("STK003", "LD X0; AND X1; MPS; LD X2; AND X3; MRD; ORB; ANB; OUT Y0", "LD X0; AND X1; LD X2; AND X3; ORB; OUT Y0"),
         Sample("STK004", "LD X0; LD X1; MPS; ORB; OUT Y0; MPP; OUT Y1", "LD X0; MPS; AND X1; OUT Y0; MPP; OUT Y1"),

@@ -107,6 +107,7 @@ NEZA = Dialect(
         "LD %I0.0; AND(F %I0.1; OR %I0.2; ); OR(F %I0.3; AND %I0.4; ); ST %Q0.0",
     ),
     samples=(
+        Sample("COI001", "LD %I0.0; ST %Q0.0; LD %I0.1; ST %Q0.0", "LD %I0.0; OR %I0.1; ST %Q0.0"),
         Sample("STK003", "LD %I0.0; AND %I0.1; ST %Q0.0; MPP; AND %I0.2; ST %Q0.1", "LD %I0.0; MPS; AND %I0.1; ST %Q0.0; MPP; AND %I0.2; ST %Q0.1"),
         Sample("STK005", "LD %I0.0; MPS; AND %I0.1; ST %Q0.0", "LD %I0.0; MPS; AND %I0.1; ST %Q0.0; MPP; ST %Q0.1"),
         Sample(

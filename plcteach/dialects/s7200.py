@@ -99,6 +99,7 @@ S7_200 = Dialect(
         "LD I0.0; NOP 0; RI Q0.0, 1",
     ),
     samples=(
+        Sample("COI001", "LD I0.0; = Q0.0; LD I0.1; = Q0.0", "LD I0.0; O I0.1; = Q0.0"),
         Sample("STK001", "LD I0.0; A I0.1; LD I0.2; A I0.3; OLD; OLD; = Q0.0", "LD I0.0; A I0.1; LD I0.2; A I0.3; OLD; = Q0.0"),
         Sample(
             "STK002",

@@ -24,6 +24,7 @@ if TYPE_CHECKING:
 A4 = (794, 1123)
 _LEFT, _RIGHT, _TOP = 56, 738, 64
 _ROW = 27
+_FOOT = 64
 _SEARCHED = 8
 _JOIN_TELLS = 3
 _NUMBER_WIDTH = 34.0
@@ -58,15 +59,15 @@ def sheet(
     steps = run(program, [given]).scans[0].steps
     table = _Table(program, steps, given, key, title or TITLE, _columns(program))
     rows = list(_rows(program, steps))
-    size = max(1, rows_per_page)
+    size = max(1, min(rows_per_page, table.room))
     chunks = [rows[first : first + size] for first in range(0, len(rows), size)] or [[]]
     return tuple(table.page(chunk, number, len(chunks)) for number, chunk in enumerate(chunks, 1))
 
 
 def telling_inputs(program: Program) -> dict[str, int]:
-    """Choose the inputs under which most instructions combine a 0 with a 1, so that AND, OR and the wrong operand differ.
+    """Choose the inputs that tell most instructions from their likely confusions: AND from OR, open from closed.
 
-    All cases run at once, one bit of a column each; joins of blocks count most, and stacks of nothing but 0 or 1 least.
+    All cases run at once, one bit of a column each; joins of blocks count most, then a table that holds 0 and 1 alike.
     """
     names = [address.text for address in program.addresses("input")]
     tried = names[:_SEARCHED]
@@ -88,19 +89,22 @@ def telling_inputs(program: Program) -> dict[str, int]:
             highs[case] += one.after[0][0].at(case) == "1" if one.after[0] else 0
 
     sweep(program, Memory(), bits, Domain(Column(full, 0), Column(0, full), Column(full, full)), watch)
-    best = max(range(cases), key=lambda case: (scores[case] + min(highs[case], steps - highs[case]), -case))
+    best = max(range(cases), key=lambda case: (scores[case], min(highs[case], steps - highs[case]), -case))
     return {name: rest[name] if name in rest else best >> tried.index(name) & 1 for name in names}
 
 
 def _telling(one: Step[Column]) -> Iterator[tuple[int, int]]:
-    """Give the cases in which a step combines two known values that differ, and how much that tells."""
-    for cells in one.flow.after:
-        for origin in cells:
-            if isinstance(origin.formula, Both):
-                left, right = _value(origin.formula.left, one), _value(origin.formula.right, one)
-                if left and right:
-                    worth = _JOIN_TELLS if len(origin.sources) > 1 else 1
-                    yield left.differs(right) & ~(left.unknown | right.unknown), worth
+    """Give the cases in which a swapped operator, and those in which an operand of the wrong sense, would be seen here."""
+    for origin in (origin for cells in one.flow.after for origin in cells):
+        if not isinstance(origin.formula, Both):
+            continue
+        left, right = _value(origin.formula.left, one), _value(origin.formula.right, one)
+        if left is None or right is None:
+            continue
+        join = len(origin.sources) > 1
+        yield left.differs(right) & ~(left.unknown | right.unknown), _JOIN_TELLS if join else 1
+        if not join:
+            yield {"&": left.may1 & ~left.may0, "|": left.may0 & ~left.may1}.get(origin.formula.op, ~left.unknown), 1
 
 
 def _value(formula: Formula, one: Step[Column]) -> Column | None:
@@ -162,6 +166,11 @@ class _Table:
     def words_width(self) -> float:
         """How wide the column of instructions is."""
         return min(190.0, 20 + max((extent(line.text, 13, code=True) for line in self.program.lines), default=60.0))
+
+    @property
+    def room(self) -> int:
+        """How many rows a page holds below the given bits and above its foot."""
+        return int((A4[1] - _FOOT - self.inputs(_TOP + 84)[0] - 24 - _HEAD) // _ROW)
 
     @property
     def xs(self) -> list[float]:

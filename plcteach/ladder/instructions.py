@@ -6,8 +6,8 @@ from dataclasses import replace
 from functools import lru_cache
 from typing import TYPE_CHECKING
 
-from plcteach.core.effect import Edge, Formula, Name, Not
 from plcteach.core.effect import Both as Two
+from plcteach.core.effect import Edge, Formula, Name, Not
 
 if TYPE_CHECKING:
     from plcteach.core.effect import Clause, Effect
@@ -42,7 +42,8 @@ def _put(clause: Clause, name: str, mark: str) -> Clause:
 def _marked(formula: Formula, name: str, mark: str) -> Formula:
     match formula:
         case Name(found) if found == name:
-            return {"": formula, "/": Not(formula), "P ": Edge(True, formula), "N ": Edge(False, formula)}[mark]  # noqa: FBT003
+            kinds: dict[str, Formula] = {"/": Not(formula), "P ": Edge(rising=True, of=formula), "N ": Edge(rising=False, of=formula)}
+            return kinds.get(mark, formula)
         case Two(op, left, right):
             return Two(op, _marked(left, name, mark), _marked(right, name, mark))
     return formula

@@ -11,11 +11,22 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from plcteach.core.area import Address
 from plcteach.core.errors import NotRepresentableError
 from plcteach.core.ladder import (
-    MOST_NESTED, Branch, Coil, Contact, Invert, Ladder, Node, Out, Parallel, Rung, Series, depth,
+    MOST_NESTED,
+    Branch,
+    Coil,
+    Contact,
+    Invert,
+    Ladder,
+    Node,
+    Out,
+    Parallel,
+    Rung,
+    Series,
+    depth,
 )  # fmt: skip
-from plcteach.core.area import Address
 from plcteach.core.text import NOTHING, Text
 from plcteach.dialects import dialect as find_dialect
 from plcteach.ladder.instructions import closer, coil_word, contact_word, edge_word, first_effect

@@ -6,9 +6,9 @@ import operator
 from functools import reduce
 from typing import TYPE_CHECKING, Generic, TypeVar
 
+from plcteach.core.area import Address
 from plcteach.core.errors import NotRepresentableError
 from plcteach.core.ladder import Coil, Contact, Invert, Node, Out, Parallel, Rung, Series
-from plcteach.core.area import Address
 from plcteach.core.text import Text
 from plcteach.machine.signals import Signal
 

@@ -16,7 +16,20 @@ import re
 
 from plcteach.core.diagnostic import Diagnostic, rule
 from plcteach.core.ladder import (
-    MOST_NESTED, Branch, Coil, Contact, Invert, Node, Out, Parallel, Rung, Series, branch, parallel, rung, series,
+    MOST_NESTED,
+    Branch,
+    Coil,
+    Contact,
+    Invert,
+    Node,
+    Out,
+    Parallel,
+    Rung,
+    Series,
+    branch,
+    parallel,
+    rung,
+    series,
 )  # fmt: skip
 from plcteach.core.source import Span
 from plcteach.core.text import Text, same

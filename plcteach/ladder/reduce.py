@@ -11,9 +11,18 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from plcteach.core.ladder import (
-    MOST_NESTED, Branch, Coil, Node, Out, Rung, branch, depth, parallel, rung, series,
+    MOST_NESTED,
+    Coil,
+    Node,
+    Out,
+    Rung,
+    branch,
+    depth,
+    parallel,
+    rung,
+    series,
 )  # fmt: skip
-from plcteach.ladder.wires import LEFT, Sheet, sheet
+from plcteach.ladder.wires import LEFT, Sheet, ends, sheet
 
 if TYPE_CHECKING:
     from plcteach.core.diagnostic import Diagnostic
@@ -22,12 +31,15 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class _Path:
-    """A way from one net to another, and the row on which it begins."""
+    """A way from one net to another: its parallel parts, each with the row on which it begins."""
 
-    node: Node
+    parts: tuple[tuple[int, Node], ...]
     source: int
     target: int
-    row: int
+
+    @property
+    def node(self) -> Node:
+        return parallel(*(node for _, node in self.parts))
 
 
 def rungs(rows: list[Row]) -> tuple[list[Rung], list[Diagnostic]]:
@@ -47,7 +59,7 @@ def _graph(drawn: Sheet) -> tuple[list[_Path], list[tuple[int, int, Coil]]]:
         if isinstance(one.symbol, Coil):
             coils.append((source, one.row, one.symbol))
         else:
-            paths.append(_Path(one.symbol, source, target, one.row))
+            paths.append(_Path(((one.row, one.symbol),), source, target))
     return paths, coils
 
 
@@ -61,13 +73,10 @@ def _reduced(paths: list[_Path], outputs: set[int]) -> list[_Path]:
 
 
 def _side_by_side(paths: list[_Path]) -> list[_Path]:
-    groups: dict[tuple[int, int], list[_Path]] = {}
-    for path in sorted(paths, key=lambda path: path.row):
-        groups.setdefault((path.source, path.target), []).append(path)
-    return [
-        _Path(parallel(*(path.node for path in group)), source, target, group[0].row)
-        for (source, target), group in groups.items()
-    ]
+    groups: dict[tuple[int, int], list[tuple[int, Node]]] = {}
+    for path in paths:
+        groups.setdefault((path.source, path.target), []).extend(path.parts)
+    return [_Path(tuple(sorted(parts, key=lambda part: part[0])), *ends_of) for ends_of, parts in groups.items()]
 
 
 def _in_series(paths: list[_Path], outputs: set[int]) -> list[_Path]:
@@ -81,7 +90,8 @@ def _in_series(paths: list[_Path], outputs: set[int]) -> list[_Path]:
         chain = [path]
         while chain[-1].target in through:
             chain.append(after[chain[-1].target])
-        out.append(_Path(series(*(one.node for one in chain)), path.source, chain[-1].target, path.row))
+        parts = path.parts if len(chain) == 1 else ((path.parts[0][0], series(*(one.node for one in chain))),)
+        out.append(_Path(parts, path.source, chain[-1].target))
     return out
 
 
@@ -109,10 +119,11 @@ class _Tree:
         """Report the first net that more than one path enters, or a path back to the left rail."""
         entered = Counter(path.target for path in self.paths)
         wrong = {net for net, count in entered.items() if count > 1 or net == LEFT}
-        ends = [one for one in self.drawn.elements if one.target in wrong and not isinstance(one.symbol, Coil)]
-        if ends:
-            first = min(ends, key=lambda one: (one.stop, one.row))
-            self.drawn.say("DRW009", first.row, first.stop, first.stop + 1)
+        if wrong:
+            joints = [cell for cell, net in self.drawn.nets.items() if net in wrong and ends(self.drawn, cell) > 2]  # noqa: PLR2004
+            places = [(one.row, one.stop) for one in self.drawn.elements if one.target in wrong]
+            row, column = min(joints or places)
+            self.drawn.say("DRW009", row, column, column + 1)
 
     def unreached(self) -> None:
         """Report an element in a ring that no path from the left rail enters."""

@@ -8,13 +8,14 @@ left rail, because no symbol is narrower than that.
 from __future__ import annotations
 
 import re
+from collections import Counter
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, NamedTuple
 
 from plcteach.core.diagnostic import Diagnostic, rule
 from plcteach.core.ladder import Coil, Contact, Invert
 from plcteach.core.source import Span
-from plcteach.core.text import Text, same
+from plcteach.core.text import NOTHING, Text, same
 from plcteach.ladder.symbols import coil, contact
 
 if TYPE_CHECKING:
@@ -61,16 +62,17 @@ class Element:
 
 @dataclass(slots=True)
 class Sheet:
-    """A drawn rung: its rows, its elements from top to bottom, and the net of each piece of wire."""
+    """A drawn rung: its rows, its elements from top to bottom, the net of each piece of wire, and where symbols end."""
 
     rows: list[Row]
     elements: list[Element] = field(default_factory=list)
     nets: dict[Cell, int] = field(default_factory=dict)
+    tips: Counter[Cell] = field(default_factory=Counter)
     found: list[Diagnostic] = field(default_factory=list)
 
-    def say(self, code: str, row: int, start: int, stop: int, **values: object) -> None:
+    def say(self, code: str, row: int, start: int, stop: int, word: Text = NOTHING, most: int = 0) -> None:
         """Note a finding at some columns of a row."""
-        self.found.append(rule(code).at(self.rows[row].span(start, stop), **values))
+        self.found.append(rule(code).at(self.rows[row].span(start, stop), word=word, most=most))
 
     def say_of(self, code: str, element: Element) -> None:
         """Note a finding at an element, which it names."""
@@ -109,6 +111,7 @@ def sheet(rows: list[Row]) -> Sheet:
 
 
 def _tokens(out: Sheet, row: int) -> None:
+    """Cut a row into wires and symbols; after a bracket without a partner nothing more of the row can be told apart."""
     for match in _TOKEN.finditer(out.rows[row].signs):
         start, stop = match.span()
         if match["wire"]:
@@ -118,6 +121,8 @@ def _tokens(out: Sheet, row: int) -> None:
         else:
             code = "DRW002" if match["open"] else "DRW001"
             out.say(code, row, start, stop, word=same(shown(match[0])))
+            if match["open"]:
+                return
 
 
 def _symbol(out: Sheet, row: int, start: int, stop: int) -> None:
@@ -172,6 +177,7 @@ def _connect(out: Sheet) -> None:
     before: Element | None = None
     for element in out.elements:
         row = element.row
+        out.tips.update(((row, element.start - 1), (row, element.stop)))
         element.source = out.nets.get((row, element.start - 1))
         if element.source is None and before and (before.row, before.stop) == (row, element.start):
             fresh += 1
@@ -202,21 +208,19 @@ def _check(out: Sheet) -> None:
 
 def _loose(out: Sheet, rails: set[int | None]) -> None:
     """Report pieces of wire with an end that touches nothing; rails may end anywhere, and so may a right rail apart."""
-    ends = {(one.row, one.start - 1) for one in out.elements} | {(one.row, one.stop) for one in out.elements}
     last = max((one.stop for one in out.elements), default=0)
     edge = out.margin + _MARGIN
     said: set[int] = set()
     for cell, net in out.nets.items():
         upright = out.sign(*cell) != "-"
         at_rail = net in rails and (net != LEFT or cell[1] < edge)
-        if at_rail or (upright and (cell[1] >= last or cell[1] < edge)) or net in said:
+        if at_rail or net in said or (upright and not edge <= cell[1] < last):
             continue
-        if len(list(_neighbours(out, cell))) + (cell in ends) + ((cell[0], cell[1]) in ends and _both(out, cell)) < 2:  # noqa: PLR2004
+        if ends(out, cell) < 2:  # noqa: PLR2004
             out.say("DRW006", cell[0], cell[1], cell[1] + 1)
             said.add(net)
 
 
-def _both(out: Sheet, cell: Cell) -> bool:
-    """Say whether a single sign stands between two elements."""
-    row, column = cell
-    return any((one.row, one.stop) == cell for one in out.elements) and any((one.row, one.start - 1) == (row, column) for one in out.elements)
+def ends(out: Sheet, cell: Cell) -> int:
+    """Count what touches a piece of wire: other wires and symbols."""
+    return out.tips[cell] + len(list(_neighbours(out, cell)))

@@ -1,6 +1,6 @@
 """The rules, one decorated function each; what they say stands in core.diagnostic, their programs in the dialects."""
 
-from plcteach.check.rules.registry import STACK_RULES
-from plcteach.check.rules import stack as _stack  # noqa: F401, I001  (importing it fills the registry)
+from plcteach.check.rules import coils, stack
+from plcteach.check.rules.registry import PROGRAM_RULES, STACK_RULES
 
-__all__ = ["STACK_RULES"]
+__all__ = ["PROGRAM_RULES", "STACK_RULES", "coils", "stack"]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from plcteach.check.rules.registry import finds
+from plcteach.check.rules.registry import STACK_RULES, finds
 from plcteach.core.diagnostic import Diagnostic, Note, Rule
 from plcteach.core.effect import At, Name
 from plcteach.core.text import NOTHING, Text, same
@@ -19,7 +19,7 @@ _FETCHES = {"read", "pop"}
 _JOINS = {"join_series", "join_parallel"}
 
 
-@finds("STK001")
+@finds("STK001", STACK_RULES)
 def underflow(walk: Walk, row: Rule) -> Iterator[Diagnostic]:
     """A join, or any instruction, needs more values than the network has put on the stack."""
     for move in walk.moves:
@@ -54,7 +54,7 @@ def _used(move: Move, name: str) -> bool:
     )
 
 
-@finds("STK009")
+@finds("STK009", STACK_RULES)
 def starts_from_leftover(walk: Walk, row: Rule) -> Iterator[Diagnostic]:
     """A network begins with an instruction that combines with what the last network left."""
     move = walk.moves[0]
@@ -67,7 +67,7 @@ def starts_from_leftover(walk: Walk, row: Rule) -> Iterator[Diagnostic]:
             return
 
 
-@finds("STK003")
+@finds("STK003", STACK_RULES)
 def pop_without_push(walk: Walk, row: Rule) -> Iterator[Diagnostic]:
     """A read or a pop finds no branch point where it looks for one."""
     for move in walk.moves:
@@ -85,7 +85,7 @@ def _fetched(move: Move) -> Cell | None:
     return move.before[source[0][0]][source[0][1]] if source else None
 
 
-@finds("STK004")
+@finds("STK004", STACK_RULES)
 def join_meets_branch(walk: Walk, row: Rule) -> Iterator[Diagnostic]:
     """A join finds a branch point where it wants a block (families whose cells are tagged)."""
     roles = walk.dialect.roles
@@ -95,7 +95,7 @@ def join_meets_branch(walk: Walk, row: Rule) -> Iterator[Diagnostic]:
                 yield row.at(move.line.span, word=move.line.text, push=roles["push"], pop=roles["pop"])
 
 
-@finds("STK002")
+@finds("STK002", STACK_RULES)
 def lost_at_bottom(walk: Walk, row: Rule) -> Iterator[Diagnostic]:
     """A push on a full stack loses a value that nothing has used."""
     for move in walk.moves:
@@ -104,7 +104,7 @@ def lost_at_bottom(walk: Walk, row: Rule) -> Iterator[Diagnostic]:
             yield row.at(move.line.span, word=move.line.text, levels=levels, row=_row(cell))
 
 
-@finds("STK011")
+@finds("STK011", STACK_RULES)
 def too_many_pending(walk: Walk, row: Rule) -> Iterator[Diagnostic]:
     """More blocks or branch points wait than the maker allows."""
     for limit in walk.dialect.limits:
@@ -122,7 +122,7 @@ def too_many_pending(walk: Walk, row: Rule) -> Iterator[Diagnostic]:
                 break
 
 
-@finds("STK012")
+@finds("STK012", STACK_RULES)
 def not_inside_parentheses(walk: Walk, row: Rule) -> Iterator[Diagnostic]:
     """An output or a branch stands inside parentheses."""
     closed = [number for number, stack in enumerate(walk.dialect.stacks) if stack.name == "paren"]
@@ -132,7 +132,7 @@ def not_inside_parentheses(walk: Walk, row: Rule) -> Iterator[Diagnostic]:
             yield row.at(move.line.span, word=move.line.text)
 
 
-@finds("STK010")
+@finds("STK010", STACK_RULES)
 def value_dropped(walk: Walk, row: Rule) -> Iterator[Diagnostic]:
     """A value is thrown away before anything has used it; the cell that a pop overwrites on purpose is no loss."""
     for before, move in zip((None, *walk.moves), walk.moves, strict=False):
@@ -142,7 +142,7 @@ def value_dropped(walk: Walk, row: Rule) -> Iterator[Diagnostic]:
                 yield row.at(move.line.span, word=move.line.text, row=_row(cell))
 
 
-@finds("STK005")
+@finds("STK005", STACK_RULES)
 def residue(walk: Walk, row: Rule) -> Iterator[Diagnostic]:
     """Values are left on the stack that nothing has used."""
     left = _leftover(walk)
@@ -157,7 +157,7 @@ def residue(walk: Walk, row: Rule) -> Iterator[Diagnostic]:
         )
 
 
-@finds("STK006")
+@finds("STK006", STACK_RULES)
 def last_branch_reads(walk: Walk, row: Rule) -> Iterator[Diagnostic]:
     """The last branch was read and not popped, so that the branch point stays."""
     read = _last_read(walk, _leftover(walk))
@@ -187,13 +187,13 @@ def _last_read(walk: Walk, left: list[Cell]) -> Move | None:
     return next((move for move in reversed(walk.moves) if move.role == "read"), None)
 
 
-@finds("STK007")
+@finds("STK007", STACK_RULES)
 def join_for_one_parallel(walk: Walk, row: Rule) -> Iterator[Diagnostic]:
     """LD and OLD/ORB where O/OR does."""
     yield from _single(walk, row, "join_parallel", "|")
 
 
-@finds("STK008")
+@finds("STK008", STACK_RULES)
 def join_for_one_series(walk: Walk, row: Rule) -> Iterator[Diagnostic]:
     """LD and ALD/ANB where A/AND does."""
     yield from _single(walk, row, "join_series", "&")

@@ -1,0 +1,38 @@
+"""What can be said of a program's coils, whatever the stack does."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from plcteach.check.rules.registry import PROGRAM_RULES, finds
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from plcteach.core.diagnostic import Diagnostic, Rule
+    from plcteach.core.program import Line, Program
+
+
+@finds("COI001", PROGRAM_RULES)
+def double_coil(program: Program, row: Rule) -> Iterator[Diagnostic]:
+    """A bit has two coils; a bistable written out, which reads its first coil before the second, is no mistake."""
+    for network in program.networks:
+        read_since: set[str] = set()
+        for line in network.lines:
+            address = _coil(line)
+            if not address:
+                read_since |= {bit.text for bit in line.bits}
+                continue
+            first = _first_coil(program, address)
+            if first is not line and not (address in read_since and first in network.lines):
+                yield row.at(line.span, address=address, row=first.span.row)
+            read_since.discard(address)
+
+
+def _coil(line: Line) -> str:
+    """Give the bit that a line drives as a coil, which set and reset do not."""
+    return line.bits[0].text if line.bits and any(verb.name == "coil" and verb.target == "out" for verb in line.insn.then) else ""
+
+
+def _first_coil(program: Program, address: str) -> Line:
+    return next(line for line in program.lines if _coil(line) == address)
