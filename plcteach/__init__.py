@@ -32,7 +32,7 @@ _WORDS = {
     "language": "core.text",
 }
 
-__all__ = list(_WORDS)  # noqa: PLE0605  (a list, made from the table above so that no word is listed twice)
+__all__ = list(_WORDS)
 __version__ = "0.1.0"
 
 

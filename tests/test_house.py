@@ -39,7 +39,13 @@ def test_the_five_walls_stand_in_the_only_configuration_file() -> None:
 
 
 def test_no_wall_is_broken() -> None:
-    done = subprocess.run([Path(sys.executable).with_name("lint-imports"), "--no-cache"], cwd=ROOT, capture_output=True, text=True, check=False)
+    done = subprocess.run(
+        [Path(sys.executable).with_name("lint-imports"), "--no-cache"],
+        cwd=ROOT,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
     assert done.returncode == 0, done.stdout + done.stderr
     assert "5 kept, 0 broken" in done.stdout
 
@@ -60,17 +66,23 @@ def test_a_module_has_at_most_300_lines_of_code(path: Path) -> None:
 @pytest.mark.parametrize("path", MODULES, ids=named)
 def test_a_function_is_short_and_takes_few_arguments(path: Path) -> None:
     for function in functions(path):
-        body = [node for node in function.body if not (isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant))]
+        body = [
+            node for node in function.body if not (isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant))
+        ]
         if not body:
             continue
         lines = (body[-1].end_lineno or 0) - body[0].lineno + 1
         assert lines <= LONGEST_FUNCTION, f"{function.name}: {lines} lines"
         if function.name not in {"insn", "__init__"}:
-            arguments = [one for one in function.args.posonlyargs + function.args.args if one.arg not in {"self", "cls"}]
+            arguments = [
+                one for one in function.args.posonlyargs + function.args.args if one.arg not in {"self", "cls"}
+            ]
             assert len(arguments) <= MOST_ARGUMENTS, function.name
 
 
-@pytest.mark.parametrize("path", [path for path in MODULES if path.parent.name not in {"dialects", "exercises"}], ids=named)
+@pytest.mark.parametrize(
+    "path", [path for path in MODULES if path.parent.name not in {"dialects", "exercises"}], ids=named
+)
 def test_no_file_outside_the_tables_spells_a_dialects_name(path: Path) -> None:
     names = {one.lower() for one in dialects.names()}
     words = [
@@ -99,7 +111,9 @@ def test_importing_plcteach_opens_no_screen() -> None:
         "import sys, plcteach; plcteach.read, plcteach.run, plcteach.lint, plcteach.explain, plcteach.illustrate;"
         "print(sorted({'matplotlib','numpy','IPython','ipywidgets','anywidget','traitlets'} & set(sys.modules)))"
     )
-    assert subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout.strip() == "[]"
+    assert (
+        subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout.strip() == "[]"
+    )
 
 
 def test_every_rule_says_what_it_sees_and_ends_with_a_question_or_an_action_or_a_fact() -> None:

@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from plcteach.check.rules import PROGRAM_RULES, STACK_RULES
-from plcteach.machine.walk import Walk, walks
 from plcteach.core.diagnostic import Diagnostic, errors
+from plcteach.machine.walk import Walk, walks
 
 if TYPE_CHECKING:
     from plcteach.core.program import Program

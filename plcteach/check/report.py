@@ -57,7 +57,9 @@ def table(verdict: Verdict) -> list[Row]:
 def headline(judgement: Judgement) -> Text:
     """Say the verdict in one line, the counterexample first where there is one."""
     verdict = judgement.verdict
-    marks = Text(f"{judgement.marks:g}/{judgement.exercise.points:g}分", f"{judgement.marks:g} of {judgement.exercise.points:g}")
+    marks = Text(
+        f"{judgement.marks:g}/{judgement.exercise.points:g}分", f"{judgement.marks:g} of {judgement.exercise.points:g}"
+    )
     match verdict.status:
         case "equal":
             proof = _PROOFS[verdict.proof or "table"]
@@ -66,9 +68,10 @@ def headline(judgement: Judgement) -> Text:
             return _error(verdict.diagnostics)
         case "different":
             return _different(verdict)
-    return Text("没有发现差别，但也没能证明相同（查看了{n}个状态）。", "No difference was found, but none was excluded either ({n} states seen).").format(
-        n=verdict.explored
-    )
+    return Text(
+        "没有发现差别，但也没能证明相同（查看了{n}个状态）。",
+        "No difference was found, but none was excluded either ({n} states seen).",
+    ).format(n=verdict.explored)
 
 
 def _error(found: tuple[Diagnostic, ...]) -> Text:
@@ -108,7 +111,13 @@ def verdict_json(judgement: Judgement) -> dict[str, Any]:
         "marks": judgement.marks,
         "max": judgement.exercise.points,
         "rows": [
-            {"address": row.address, "kind": row.kind, "value": row.value, "label": row.label.as_dict(), "differs": row.differs}
+            {
+                "address": row.address,
+                "kind": row.kind,
+                "value": row.value,
+                "label": row.label.as_dict(),
+                "differs": row.differs,
+            }
             for row in table(verdict)
         ],
         "outputs": dict(verdict.outputs),

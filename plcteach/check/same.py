@@ -22,6 +22,7 @@ from typing import TYPE_CHECKING
 from plcteach.core.diagnostic import Diagnostic, rule
 from plcteach.core.source import Span
 from plcteach.core.verdict import Counterexample, Status, Verdict
+from plcteach.machine.rows import Rows
 from plcteach.machine.scan import Domain, Memory, run, sweep
 from plcteach.machine.signals import ONE, ZERO, Column, X
 
@@ -49,9 +50,9 @@ class _Machine:
     writes: frozenset[str]
     state: tuple[Key, ...]
 
-    def scan(self, inputs: Mapping[str, Column], state: Mapping[Key, Column], rows: _Rows, *, first: bool) -> _Result:
+    def scan(self, inputs: Mapping[str, Column], state: Mapping[Key, Column], rows: Rows, *, first: bool) -> _Result:
         """Run one scan over columns from a given state."""
-        memory = rows.memory(state, first=first)
+        memory = _memory(state, first=first)
         after = sweep(self.program, memory, inputs, rows.domain)
         outputs = {address: after.bits.get(address, rows.domain.zero) for address in self.writes}
         return _Result(outputs, {key: _kept(after, key, rows.domain.zero) for key in self.state})
@@ -73,41 +74,14 @@ def _kept(memory: Memory[Column], key: Key, zero: Column) -> Column:
     return (bits or {}).get(str(where), zero)
 
 
-@dataclass(frozen=True)
-class _Rows:
-    """All combinations of a number of variables: how many cases there are, and the column of each variable."""
-
-    count: int
-
-    @property
-    def cases(self) -> int:
-        return 1 << self.count
-
-    @property
-    def domain(self) -> Domain[Column]:
-        return Domain(self.constant(ZERO), self.constant(ONE), self.constant(X))
-
-    def constant(self, bit: Column) -> Column:
-        every = (1 << self.cases) - 1
-        return Column(every * bit.may0, every * bit.may1)
-
-    def variable(self, number: int) -> Column:
-        """Give the column in which case k holds bit `number` of k."""
-        block = 1 << number
-        ones = ((1 << block) - 1) << block
-        width = block * 2
-        while width < self.cases:
-            ones |= ones << width
-            width *= 2
-        return Column(((1 << self.cases) - 1) & ~ones, ones)
-
-    def memory(self, state: Mapping[Key, Column], *, first: bool) -> Memory[Column]:
-        if first:
-            return Memory()
-        parts: dict[str, dict[str | int, Column]] = {"bit": {}, "image": {}, "past": {}}
-        for (what, where), value in state.items():
-            parts[what][where] = value
-        return Memory(parts["bit"], parts["past"], parts["image"], 1)  # type: ignore[arg-type]
+def _memory(state: Mapping[Key, Column], *, first: bool) -> Memory[Column]:
+    """Give the memory that holds a state; before the first scan there is none."""
+    if first:
+        return Memory()
+    bits = {str(where): value for (what, where), value in state.items() if what == "bit"}
+    past = {int(where): value for (what, where), value in state.items() if what == "past"}
+    image = {str(where): value for (what, where), value in state.items() if what == "image"}
+    return Memory(bits, past, image, 1)
 
 
 def _machine(program: Program) -> _Machine:
@@ -151,7 +125,7 @@ class _Pair:
         return tuple((side, key) for side, one in enumerate((self.reference, self.student)) for key in one.state)
 
     def scan(
-        self, inputs: Mapping[str, Column], state: Mapping[tuple[int, Key], Column], rows: _Rows, *, first: bool
+        self, inputs: Mapping[str, Column], state: Mapping[tuple[int, Key], Column], rows: Rows, *, first: bool
     ) -> tuple[dict[str, int], dict[tuple[int, Key], Column]]:
         """Run both for one scan: for each output the cases in which they differ, and the state after."""
         results = []
@@ -190,13 +164,23 @@ def _pair(reference: Program, student: Program, wanted: tuple[str, ...]) -> _Pai
     mine, theirs = _machine(reference), _machine(student)
     driven = frozenset(reference.dialect.specials)
     written = mine.writes | theirs.writes
-    areas = {address.text: address for program in (reference, student) for line in program.lines for address in line.bits}
+    areas = {
+        address.text: address for program in (reference, student) for line in program.lines for address in line.bits
+    }
     role = {text: reference.dialect.area(address).role for text, address in areas.items()}
     inputs = {text for text in mine.reads | theirs.reads if role.get(text) == "input"}
     inputs |= {text for text in mine.reads if text not in written | driven}
     outputs = wanted or _compared(mine, role)
-    order = {text: number for number, text in enumerate(sorted(areas, key=lambda text: (areas[text].area, areas[text].index)))}
-    return _Pair(mine, theirs, tuple(sorted(inputs, key=order.__getitem__)), tuple(sorted(outputs, key=lambda one: order.get(one, -1))))
+    order = {
+        text: number
+        for number, text in enumerate(sorted(areas, key=lambda text: (areas[text].area, areas[text].index)))
+    }
+    return _Pair(
+        mine,
+        theirs,
+        tuple(sorted(inputs, key=order.__getitem__)),
+        tuple(sorted(outputs, key=lambda one: order.get(one, -1))),
+    )
 
 
 def _compared(machine: _Machine, role: Mapping[str, str]) -> tuple[str, ...]:
@@ -210,14 +194,16 @@ def _beside(pair: _Pair) -> tuple[Diagnostic, ...]:
     places = {arg.text: line.span for line in pair.student.program.lines if line.insn.then for arg in line.bits}
     dialect = pair.student.program.dialect
     roles = {arg.text: dialect.area(arg).role for line in pair.student.program.lines for arg in line.bits}
-    extra = [rule("CHK001").at(places[text], address=text) for text in sorted(theirs - mine) if roles.get(text) == "output"]
+    extra = [
+        rule("CHK001").at(places[text], address=text) for text in sorted(theirs - mine) if roles.get(text) == "output"
+    ]
     missing = [rule("CHK002").at(Span(0), address=text) for text in pair.outputs if text not in theirs]
     return tuple(extra + missing)
 
 
 def _first_scan(pair: _Pair) -> tuple[set[str], dict[tuple[int, Key], Column], int | None]:
     """Run the first scan from power-on over all inputs: the outputs that agree, the state after, a case that differs."""
-    rows = _Rows(len(pair.inputs))
+    rows = Rows(len(pair.inputs))
     inputs = {address: rows.variable(number) for number, address in enumerate(pair.inputs)}
     differ, after = pair.scan(inputs, {}, rows, first=True)
     agreed = {address for address, cases in differ.items() if not cases}
@@ -254,7 +240,7 @@ def _induction(pair: _Pair, after: dict[tuple[int, Key], Column]) -> tuple[set[s
         count = len(set(classes.values()))
         if len(pair.inputs) + count > MOST_VARIABLES:
             return set(), False
-        rows = _Rows(len(pair.inputs) + count)
+        rows = Rows(len(pair.inputs) + count)
         inputs = {address: rows.variable(number) for number, address in enumerate(pair.inputs)}
         state = {key: rows.variable(len(pair.inputs) + number) for key, number in classes.items()}
         differ, then = pair.scan(inputs, state, rows, first=False)
@@ -265,7 +251,9 @@ def _induction(pair: _Pair, after: dict[tuple[int, Key], Column]) -> tuple[set[s
         classes = split
 
 
-def _classes(old: Mapping[tuple[int, Key], int], values: Mapping[tuple[int, Key], Column]) -> dict[tuple[int, Key], int]:
+def _classes(
+    old: Mapping[tuple[int, Key], int], values: Mapping[tuple[int, Key], Column]
+) -> dict[tuple[int, Key], int]:
     """Split classes: two remembered bits stay together only if they were and are equal."""
     numbers: dict[tuple[int, Column], int] = {}
     return {key: numbers.setdefault((old[key], value), len(numbers)) for key, value in values.items() if key in old}
@@ -276,7 +264,7 @@ _State = tuple[str, ...]
 
 def _search(pair: _Pair, agreed: set[str]) -> Verdict:
     """Visit the states that both reach from power-on, breadth first, until they differ, end, or use up the budget."""
-    rows = _Rows(len(pair.inputs))
+    rows = Rows(len(pair.inputs))
     inputs = {address: rows.variable(number) for number, address in enumerate(pair.inputs)}
     start: _State = ("",)
     came: dict[_State, tuple[_State, int] | None] = {start: None}
@@ -306,14 +294,14 @@ def _unknown(pair: _Pair, agreed: set[str], explored: int) -> Verdict:
     return Verdict("unknown", None, None, outputs, _beside(pair), explored)
 
 
-def _columns(pair: _Pair, state: _State, rows: _Rows) -> dict[tuple[int, Key], Column]:
+def _columns(pair: _Pair, state: _State, rows: Rows) -> dict[tuple[int, Key], Column]:
     bits = {"0": ZERO, "1": ONE, "x": X}
     if state == ("",):
         return {}
     return {key: rows.constant(bits[value]) for key, value in zip(pair.state, state, strict=True)}
 
 
-def _successors(pair: _Pair, after: Mapping[tuple[int, Key], Column], rows: _Rows) -> Iterable[tuple[int, _State]]:
+def _successors(pair: _Pair, after: Mapping[tuple[int, Key], Column], rows: Rows) -> Iterable[tuple[int, _State]]:
     """Give each state that some inputs lead to, once, with the simplest such inputs first."""
     columns = [after[key] for key in pair.state]
     if all(one.may0 == 0 or one.may1 == 0 for one in columns):
@@ -341,11 +329,17 @@ def _different(pair: _Pair, cases: list[int], agreed: set[str], explored: int) -
     scans = tuple({address: case >> number & 1 for number, address in enumerate(pair.inputs)} for case in cases)
     expected, got = (run(machine.program, scans) for machine in (pair.reference, pair.student))
     rows = [
-        tuple({address: repr(scan[address]) for address in pair.outputs} for scan in trace.scans) for trace in (expected, got)
+        tuple({address: repr(scan[address]) for address in pair.outputs} for scan in trace.scans)
+        for trace in (expected, got)
     ]
-    wrong = [address for address in pair.outputs if rows[0][-1][address] != rows[1][-1][address] or rows[1][-1][address] == "x"]
+    wrong = [
+        address
+        for address in pair.outputs
+        if rows[0][-1][address] != rows[1][-1][address] or rows[1][-1][address] == "x"
+    ]
     outputs: dict[str, Status] = {
-        address: "different" if address in wrong else "equal" if address in agreed else "unknown" for address in pair.outputs
+        address: "different" if address in wrong else "equal" if address in agreed else "unknown"
+        for address in pair.outputs
     }
     counterexample = Counterexample(scans, rows[0], rows[1], len(scans) - 1, wrong[0])
     return Verdict("different", None, counterexample, outputs, _beside(pair), explored)

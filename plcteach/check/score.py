@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from html import escape
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Self
 
 from plcteach.check.judge import Judgement, judge
 from plcteach.check.report import headline, table
@@ -19,7 +19,7 @@ class Score(float):
 
     judgement: Judgement | None
 
-    def __new__(cls, marks: float, maximum: float, judgement: Judgement | None = None) -> Score:
+    def __new__(cls, marks: float, maximum: float, judgement: Judgement | None = None) -> Self:
         """Clamp the marks to 0 … maximum; what is not finite becomes 0."""
         safe = marks if math.isfinite(marks) else 0.0
         score = super().__new__(cls, min(max(safe, 0.0), maximum))
@@ -51,7 +51,10 @@ def report_html(judgement: Judgement, lang: str) -> str:
     parts = [f"<p><strong>{escape(headline(judgement).in_(lang))}</strong></p>"]
     found = judgement.verdict.diagnostics
     if found:
-        items = "".join(f"<li><code>{one.code}</code> {_row(one.span.row, lang)}{escape(one.text.in_(lang))}</li>" for one in found[:20])
+        items = "".join(
+            f"<li><code>{one.code}</code> {_row(one.span.row, lang)}{escape(one.text.in_(lang))}</li>"
+            for one in found[:20]
+        )
         parts.append(f"<ul>{items}</ul>")
     rows = table(judgement.verdict)
     if rows:

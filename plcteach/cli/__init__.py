@@ -44,5 +44,5 @@ def script() -> None:
     except BrokenPipeError:
         code = RIGHT
         with suppress(OSError):
-            sys.stdout = None  # type: ignore[assignment]
+            sys.stdout = None
     raise SystemExit(code)

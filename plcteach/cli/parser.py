@@ -42,23 +42,35 @@ def _judging_verbs(verbs: Any, reading: argparse.ArgumentParser) -> None:
     one.add_argument("--anyway", action="store_true", help="run past stack errors where the machine has no trap")
     one.add_argument("--json", action="store_true", help="print JSON only")
 
-    one = _verb(verbs, "lint", verbs_of.lint_verb, [reading], "say what is to be said of a program, or of a folder of them")
+    one = _verb(
+        verbs, "lint", verbs_of.lint_verb, [reading], "say what is to be said of a program, or of a folder of them"
+    )
     one.add_argument("file", help="the program or folder; - for standard input")
     one.add_argument("--json", action="store_true", help="print JSON only")
 
-    one = _verb(verbs, "check", verbs_of.check_verb, [reading], "compare a program with a reference, by proof or counterexample")
+    one = _verb(
+        verbs, "check", verbs_of.check_verb, [reading], "compare a program with a reference, by proof or counterexample"
+    )
     one.add_argument("student", help="the program to judge; - for standard input")
     one.add_argument("--reference", required=True, help="a program or a ladder drawing")
     one.add_argument("--json", action="store_true", help="print JSON only")
 
 
 def _showing_verbs(verbs: Any, common: argparse.ArgumentParser, family: argparse.ArgumentParser) -> None:
-    one = _verb(verbs, "figure", verbs_of.figure_verb, [common, family], "draw the before/after figure of an instruction")
+    one = _verb(
+        verbs, "figure", verbs_of.figure_verb, [common, family], "draw the before/after figure of an instruction"
+    )
     one.add_argument("mnemonic", help="OLD, LPS, LDS …")
     one.add_argument("number", nargs="?", type=int, help="the number behind it, as in LDS 3")
     one.add_argument("-o", "--output", type=Path, help=".svg, .pdf or .png (default: SVG to standard output)")
 
-    one = _verb(verbs, "explain", verbs_of.explain_verb, [common], "explain an instruction or a diagnostic; without a word, list all")
+    one = _verb(
+        verbs,
+        "explain",
+        verbs_of.explain_verb,
+        [common],
+        "explain an instruction or a diagnostic; without a word, list all",
+    )
     one.add_argument("word", nargs="*", help="OLD, STK001 …")
     one.add_argument("--dialect", choices=names(), help="PLC family (default: the first that has it)")
 
@@ -75,13 +87,20 @@ def _making_verbs(verbs: Any, common: argparse.ArgumentParser, reading: argparse
     one.add_argument("--key", action="store_true", help="with the answers filled in")
 
     one = _verb(verbs, "lab", verbs_of.lab_verb, [common], "open the lessons in JupyterLab")
-    one.add_argument("folder", nargs="?", type=Path, help="where the lessons are copied (default: the checkout, else ./plcteach-lessons)")
+    one.add_argument(
+        "folder",
+        nargs="?",
+        type=Path,
+        help="where the lessons are copied (default: the checkout, else ./plcteach-lessons)",
+    )
     one.add_argument("--no-browser", action="store_true", help="do not open a browser")
 
 
 def _verb(
     verbs: Any, name: str, verb: Callable[[argparse.Namespace], int], parents: list[argparse.ArgumentParser], text: str
 ) -> argparse.ArgumentParser:
-    one: argparse.ArgumentParser = verbs.add_parser(name, parents=parents, help=text, description=text.capitalize() + ".")
+    one: argparse.ArgumentParser = verbs.add_parser(
+        name, parents=parents, help=text, description=text.capitalize() + "."
+    )
     one.set_defaults(verb=verb)
     return one

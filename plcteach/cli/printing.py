@@ -17,18 +17,22 @@ if TYPE_CHECKING:
 
 
 def say(zh: str, en: str) -> str:
+    """Give a sentence of the command line's own in the language in force."""
     return Text(zh, en).in_(language())
 
 
 def print_json(value: object) -> None:
+    """Print one JSON value on one line."""
     print(json.dumps(value, ensure_ascii=False))
 
 
 def plain(value: str) -> int | str:
+    """Turn a shown value into what JSON has: a number, or "x"."""
     return value if value == "x" else int(value)
 
 
 def finding_json(one: Diagnostic) -> dict[str, Any]:
+    """Give a finding as the contract has it, in one language."""
     lang = language()
     notes = [note.text.in_(lang) for note in one.notes] + ([one.fix.in_(lang)] if one.fix.en else [])
     return {
@@ -43,6 +47,7 @@ def finding_json(one: Diagnostic) -> dict[str, Any]:
 
 
 def verdict_json(verdict: Verdict) -> dict[str, Any]:
+    """Give a verdict as the contract has it."""
     example = verdict.counterexample
     return {
         "status": verdict.status,
@@ -62,7 +67,8 @@ def verdict_json(verdict: Verdict) -> dict[str, Any]:
     }
 
 
-def printverdict_json(verdict: Verdict) -> None:
+def print_verdict(verdict: Verdict) -> None:
+    """Print the status, and the scans that tell the two programs apart."""
     print(verdict.status + (f" ({verdict.proof})" if verdict.proof else ""))
     example = verdict.counterexample
     if example is None:
@@ -73,7 +79,9 @@ def printverdict_json(verdict: Verdict) -> None:
     for number, row in enumerate(example.inputs):
         held |= row
         expected, got = example.expected[number], example.got[number]
-        table.append([number, *(held.get(name, 0) for name in inputs), *(f"{expected[name]} / {got[name]}" for name in expected)])
+        table.append(
+            [number, *(held.get(name, 0) for name in inputs), *(f"{expected[name]} / {got[name]}" for name in expected)]
+        )
     heads = [f"{name} {say('应为/实际', 'expected/got')}" for name in example.expected[0]]
     print_table(["scan", *inputs, *heads], table)
 
@@ -87,7 +95,9 @@ def print_findings(found: Sequence[Diagnostic], program: Program) -> None:
         if 0 < one.span.row <= len(rows):
             row = rows[one.span.row - 1].rstrip("\r").replace("\t", " ")[:200]
             print(f"    {row}")
-            print("    " + " " * _width(row[: one.span.start]) + "^" * max(1, _width(row[one.span.start : one.span.stop])))
+            print(
+                "    " + " " * _width(row[: one.span.start]) + "^" * max(1, _width(row[one.span.start : one.span.stop]))
+            )
         for note in one.notes:
             print(f"    {note.span.row}: {note.text.in_(lang)}")
         if one.fix.en:
@@ -99,6 +109,7 @@ def _width(text: str) -> int:
 
 
 def print_table(head: Sequence[object], rows: Sequence[Sequence[object]]) -> None:
+    """Print rows in columns, wide characters counted as two."""
     cells = [[str(cell) for cell in row] for row in (head, *rows)]
     widths = [max(_width(row[column]) for row in cells) for column in range(len(head))]
     for row in cells:

@@ -27,18 +27,21 @@ def _content(name: str) -> bytes:
     if not path.is_file():
         msg = f"there is no file {name}"
         raise CallError(msg)
-    return path.read_content()
+    return path.read_bytes()
 
 
 def text_of(name: str, options: argparse.Namespace) -> str:
+    """Give the text of a file, decoded."""
     return decode(_content(name), options.encoding)
 
 
 def program_of(name: str, options: argparse.Namespace) -> Program:
+    """Read a program file in the family that the caller chose."""
     return read(text_of(name, options), options.dialect)
 
 
 def scans_of(name: str | None) -> list[dict[str, Any]]:
+    """Read the JSON list of inputs; CallError says what it should look like."""
     if name is None:
         return [{}]
     try:
@@ -58,6 +61,7 @@ def scans_of(name: str | None) -> list[dict[str, Any]]:
 
 
 def watched_of(names_given: str | None, program: Program) -> list[str]:
+    """Give the addresses to print: those asked for, else all outputs."""
     if names_given:
         return [name.strip() for name in names_given.split(",") if name.strip()]
     return [address.text for address in program.addresses("output")]

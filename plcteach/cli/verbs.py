@@ -6,7 +6,16 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from plcteach.check import lint, reference, verdict_on
-from plcteach.cli.printing import finding_json, plain, print_findings, print_json, print_table, print_verdict, say, verdict_json
+from plcteach.cli.printing import (
+    finding_json,
+    plain,
+    print_findings,
+    print_json,
+    print_table,
+    print_verdict,
+    say,
+    verdict_json,
+)
 from plcteach.cli.reading import CallError, program_of, scans_of, text_of, watched_of
 from plcteach.core.diagnostic import errors
 from plcteach.core.text import language, same
@@ -20,6 +29,7 @@ RIGHT, WRONG, MISCALLED = 0, 1, 2
 
 
 def run_verb(options: argparse.Namespace) -> int:
+    """Run a program over the scans of a file."""
     program = program_of(options.file, options)
     found = lint(program)
     stopped = errors(found if program.dialect.traps or not options.anyway else program.diagnostics)
@@ -41,6 +51,7 @@ def run_verb(options: argparse.Namespace) -> int:
 
 
 def lint_verb(options: argparse.Namespace) -> int:
+    """Say what is to be said of a program or a folder."""
     path = Path(options.file)
     if options.file != "-" and path.is_dir():
         return _lint_folder(path, options)
@@ -67,6 +78,7 @@ def _lint_folder(folder: Path, options: argparse.Namespace) -> int:
 
 
 def check_verb(options: argparse.Namespace) -> int:
+    """Compare a submission with a reference."""
     student = program_of(options.student, options)
     wanted = reference(text_of(options.reference, options), options.dialect)
     verdict = verdict_on(wanted, student)
@@ -74,11 +86,12 @@ def check_verb(options: argparse.Namespace) -> int:
         print_json(verdict_json(verdict))
     else:
         print_findings(verdict.diagnostics, student)
-        printverdict_json(verdict)
+        print_verdict(verdict)
     return RIGHT if verdict.status == "equal" else WRONG
 
 
 def figure_verb(options: argparse.Namespace) -> int:
+    """Draw an instruction's before/after figure."""
     from plcteach.figure.stack import illustrate
     from plcteach.figure.svg import svg
 
@@ -102,6 +115,7 @@ def _ink(scene: Any, path: Path) -> None:
 
 
 def explain_verb(options: argparse.Namespace) -> int:
+    """Print a card or a rule's page."""
     from plcteach.figure.card import explain
 
     print(explain(" ".join(options.word), options.dialect))
@@ -109,6 +123,7 @@ def explain_verb(options: argparse.Namespace) -> int:
 
 
 def play_verb(options: argparse.Namespace) -> int:
+    """Write a player page."""
     from plcteach.figure.film import film
     from plcteach.publish import player_page
 
@@ -125,6 +140,7 @@ def play_verb(options: argparse.Namespace) -> int:
 
 
 def sheet_verb(options: argparse.Namespace) -> int:
+    """Write a worksheet."""
     from plcteach.figure.mpl import save_pages
     from plcteach.figure.table import sheet
 
@@ -139,6 +155,7 @@ def sheet_verb(options: argparse.Namespace) -> int:
 
 
 def lab_verb(options: argparse.Namespace) -> int:
+    """Open the lessons."""
     from plcteach.publish.lab import open_lab
 
     return open_lab(options.folder, browser=not options.no_browser)

@@ -10,6 +10,7 @@ from plcteach.core.text import Text
 LONGEST = 12
 """More digits than any address has; a longer run is answered without being counted."""
 
+
 @dataclass(frozen=True, slots=True)
 class Address:
     """One bit of one area; `text` is its canonical spelling, `index` counts the bits of the area from 0."""
@@ -69,7 +70,9 @@ class Area:
         """Give the address with this bit number, in canonical spelling."""
         if self.per:
             return Address(self.prefix, index, f"{self.prefix}{index // self.per}.{index % self.per}")
-        return Address(self.prefix, index, f"{self.prefix}{index:o}" if self.base == _OCTAL else f"{self.prefix}{index}")
+        return Address(
+            self.prefix, index, f"{self.prefix}{index:o}" if self.base == _OCTAL else f"{self.prefix}{index}"
+        )
 
 
 _OCTAL = 8

@@ -5,9 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
+from plcteach.core.area import Address
 from plcteach.core.diagnostic import errors
 from plcteach.core.source import Span
-from plcteach.core.area import Address
 
 if TYPE_CHECKING:
     from collections.abc import Iterator

@@ -21,11 +21,27 @@ class Span:
 
 
 _FULL_WIDTH = {code: code - 0xFEE0 for code in range(0xFF01, 0xFF5F)}
-_MARKS = {
-    "　": " ", "\xa0": " ", "。": ".", "、": ",", "“": '"', "”": '"', "‘": "'", "’": "'",  # noqa: RUF001
-    "【": "[", "】": "]", "−": "-", "–": "-", "×": "*", "÷": "/", "﻿": " ", "\t": " ", "\f": " ", "\v": " ",  # noqa: RUF001
+_MARKS: dict[str, str] = {
+    "　": " ",
+    "\xa0": " ",
+    "。": ".",
+    "、": ",",
+    "“": '"',
+    "”": '"',
+    "‘": "'",
+    "’": "'",
+    "【": "[",
+    "】": "]",
+    "−": "-",
+    "–": "-",
+    "×": "*",
+    "÷": "/",
+    "﻿": " ",
+    "\t": " ",
+    "\f": " ",
+    "\v": " ",
 }
-_HALF_WIDTH = {**_FULL_WIDTH, **{ord(mark): plain for mark, plain in _MARKS.items()}}
+_HALF_WIDTH: dict[int, int | str] = {**_FULL_WIDTH, **{ord(mark): plain for mark, plain in _MARKS.items()}}
 
 
 def half_width(text: str) -> str:

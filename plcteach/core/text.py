@@ -10,7 +10,6 @@ if TYPE_CHECKING:
     from collections.abc import Iterable
 
 
-
 @dataclass(frozen=True, slots=True)
 class Text:
     """The same sentence in Chinese and in English, each as a good teacher would say it."""

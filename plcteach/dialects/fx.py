@@ -14,7 +14,14 @@ from plcteach.core.text import Text
 INSTRUCTIONS = (
     # contacts
     insn("LD", "bit", "a -- a.L bit", fresh="a? -- bit", zh="取（常开触点）", en="load a normally open contact"),
-    insn("LDI", "bit", "a -- a.L !bit", fresh="a? -- !bit", zh="取反（常闭触点）", en="load inverse: a normally closed contact"),
+    insn(
+        "LDI",
+        "bit",
+        "a -- a.L !bit",
+        fresh="a? -- !bit",
+        zh="取反（常闭触点）",
+        en="load inverse: a normally closed contact",
+    ),
     insn("LDP", "bit", "a -- a.L rise(bit)", fresh="a? -- rise(bit)", zh="取上升沿", en="load a rising edge"),
     insn("LDF", "bit", "a -- a.L fall(bit)", fresh="a? -- fall(bit)", zh="取下降沿", en="load a falling edge"),
     insn("AND", "bit", "a -- a&bit", zh="与（串联常开触点）", en="normally open contact in series"),

@@ -14,19 +14,59 @@ INSTRUCTIONS = (
     insn("LD", "bit", "-- bit", zh="装载（常开开关）", en="load a normally open contact"),
     insn("LDN", "bit", "-- !bit", zh="取反后装载（常闭开关）", en="load a normally closed contact"),
     # fusions: LD b with the join that follows it
-    insn("A", "bit", "a -- a&bit", zh="LD与ALD的复合：位为0则清栈顶", en="LD and ALD fused: where the bit is 0, clear the top"),
-    insn("AN", "bit", "a -- a&!bit", zh="LDN与ALD的复合：位为1则清栈顶", en="LDN and ALD fused: where the bit is 1, clear the top"),
-    insn("O", "bit", "a -- a|bit", zh="LD与OLD的复合：位为1则置栈顶", en="LD and OLD fused: where the bit is 1, set the top"),
-    insn("ON", "bit", "a -- a|!bit", zh="LDN与OLD的复合：位为0则置栈顶", en="LDN and OLD fused: where the bit is 0, set the top"),
+    insn(
+        "A",
+        "bit",
+        "a -- a&bit",
+        zh="LD与ALD的复合：位为0则清栈顶",
+        en="LD and ALD fused: where the bit is 0, clear the top",
+    ),
+    insn(
+        "AN",
+        "bit",
+        "a -- a&!bit",
+        zh="LDN与ALD的复合：位为1则清栈顶",
+        en="LDN and ALD fused: where the bit is 1, clear the top",
+    ),
+    insn(
+        "O",
+        "bit",
+        "a -- a|bit",
+        zh="LD与OLD的复合：位为1则置栈顶",
+        en="LD and OLD fused: where the bit is 1, set the top",
+    ),
+    insn(
+        "ON",
+        "bit",
+        "a -- a|!bit",
+        zh="LDN与OLD的复合：位为0则置栈顶",
+        en="LDN and OLD fused: where the bit is 0, set the top",
+    ),
     # the three that act on the flow itself
     insn("NOT", "", "a -- !a", zh="能流取反", en="invert the flow"),
-    insn("P", "m", "a -- a&!m", then=coil("a", "m"), zh="正跳变（上次的能流存在m）", en="rising edge; m keeps the last flow"),
-    insn("N", "m", "a -- !a&m", then=coil("a", "m"), zh="负跳变（上次的能流存在m）", en="falling edge; m keeps the last flow"),
+    insn(
+        "P",
+        "m",
+        "a -- a&!m",
+        then=coil("a", "m"),
+        zh="正跳变（上次的能流存在m）",
+        en="rising edge; m keeps the last flow",
+    ),
+    insn(
+        "N",
+        "m",
+        "a -- !a&m",
+        then=coil("a", "m"),
+        zh="负跳变（上次的能流存在m）",
+        en="falling edge; m keeps the last flow",
+    ),
     # system instructions
     insn("ALD", "", "a b -- a&b", zh="串联连接", en="blocks in series"),
     insn("OLD", "", "a b -- a|b", zh="并联连接", en="blocks in parallel"),
     insn("LPS", "", "a -- a ; aux: -- a", zh="逻辑入栈（到辅助栈）", en="push the flow onto the auxiliary stack"),
-    insn("LRD", "", "a -- top ; aux: top -- top", zh="逻辑读栈（看辅助栈）", en="read the flow from the auxiliary stack"),
+    insn(
+        "LRD", "", "a -- top ; aux: top -- top", zh="逻辑读栈（看辅助栈）", en="read the flow from the auxiliary stack"
+    ),
     insn("LPP", "", "a -- top ; aux: top --", zh="逻辑出栈（取自辅助栈）", en="pop the flow from the auxiliary stack"),
     # output instructions
     insn("=", "out", "a -- a", then=coil("a"), zh="线圈输出", en="output coil"),

@@ -30,18 +30,28 @@ INSTRUCTIONS = (
     insn("ED", "", "a -- fall(a)", zh="下降沿（负跳变）", en="edge down: on for one scan when the result falls"),
     # coils
     insn("=", "out", "a -- a", then=coil("a"), zh="线圈输出", en="output coil"),
-    insn("=I", "direct", "a -- a", then=coil("a", "direct"), zh="立即输出", en="output coil, immediately to the terminal"),
+    insn(
+        "=I", "direct", "a -- a", then=coil("a", "direct"), zh="立即输出", en="output coil, immediately to the terminal"
+    ),
     insn("S", "out N:1..255", "a -- a", then=set_("a", "N"), zh="置位N个位", en="set N bits"),
     insn("R", "out N:1..255", "a -- a", then=reset("a", "N"), zh="复位N个位", en="reset N bits"),
     insn("SI", "out:direct N:1..128", "a -- a", then=set_("a", "N"), zh="立即置位N个位", en="set N bits immediately"),
-    insn("RI", "out:direct N:1..128", "a -- a", then=reset("a", "N"), zh="立即复位N个位", en="reset N bits immediately"),
+    insn(
+        "RI", "out:direct N:1..128", "a -- a", then=reset("a", "N"), zh="立即复位N个位", en="reset N bits immediately"
+    ),
     # the stack
     insn("ALD", "", "S0 S1 -- S2=S0&S1", zh="电路块串联（块与）", en="blocks in series"),
     insn("OLD", "", "S0 S1 -- S2=S0|S1", zh="电路块并联（块或）", en="blocks in parallel"),
     insn("LPS", "", "a -- a a", zh="逻辑入栈", en="logic push: save the branch point"),
     insn("LRD", "", "a b -- a a", zh="逻辑读栈", en="logic read: look at the branch point"),
     insn("LPP", "", "a b -- a", zh="逻辑出栈", en="logic pop: fetch the branch point and remove it"),
-    insn("LDS", "n:0..8", "-- [n]", zh="装载堆栈（复制从0数起的第n个值）", en="load stack: copy the value n places below the top"),
+    insn(
+        "LDS",
+        "n:0..8",
+        "-- [n]",
+        zh="装载堆栈（复制从0数起的第n个值）",
+        en="load stack: copy the value n places below the top",
+    ),
     insn("NOP", "n:0..255", "--", zh="空操作", en="no operation"),
 )
 
@@ -132,7 +142,13 @@ S7_200 = Dialect(
     ),
 )  # fmt: skip
 
-_DEEP = insn("LDS", "n:0..31", "-- [n]", zh="装载堆栈（复制从0数起的第n个值）", en="load stack: copy the value n places below the top")
+_DEEP = insn(
+    "LDS",
+    "n:0..31",
+    "-- [n]",
+    zh="装载堆栈（复制从0数起的第n个值）",
+    en="load stack: copy the value n places below the top",
+)
 
 S7_200_SMART = replace(
     S7_200,

@@ -12,9 +12,9 @@ from plcteach.core.errors import UnknownNameError
 from plcteach.core.text import Text, language, same
 from plcteach.dialects import dialect as find_dialect
 from plcteach.dialects import families
+from plcteach.figure.illustration import illustration
 from plcteach.figure.ladder import ladder_scene
 from plcteach.figure.says import describes
-from plcteach.figure.illustration import illustration
 from plcteach.figure.stack import illustrate
 from plcteach.figure.strip import strip
 from plcteach.figure.svg import svg
@@ -126,7 +126,9 @@ class Card:
 
     def html(self, lang: str) -> str:
         """Give the card as HTML with its figures."""
-        facts = "".join(f"<tr><th>{escape(a.in_(lang))}</th><td>{escape(b.in_(lang))}</td></tr>" for a, b in self.facts())
+        facts = "".join(
+            f"<tr><th>{escape(a.in_(lang))}</th><td>{escape(b.in_(lang))}</td></tr>" for a, b in self.facts()
+        )
         symbol = self.symbol()
         pictures = [*([symbol] if symbol else []), illustrate(self.dialect, self.insn.mnemonic), self.example()]
         figures = "".join(f"<div>{svg(scene, lang)}</div>" for scene in pictures)
@@ -161,7 +163,10 @@ class RulePage:
 
 
 def _indented(program: str) -> list[str]:
-    return [f"    {row.strip()!r}"[1:-1].replace("'", "") if "\x00" in row else f"    {row.strip()}" for row in program.replace(";", "\n").split("\n")]
+    return [
+        f"    {row.strip()!r}"[1:-1].replace("'", "") if "\x00" in row else f"    {row.strip()}"
+        for row in program.replace(";", "\n").split("\n")
+    ]
 
 
 @dataclass(frozen=True, slots=True)

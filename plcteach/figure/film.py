@@ -92,7 +92,9 @@ class _Maker:
     def scan(self, scan: Scan[Column]) -> None:
         """Add the picture before a scan's first line and one for each of its steps."""
         gone = [key for stack in self.keys for key in stack]
-        self.keys = [[self.new(blank=True) for _ in range(stack.depth)] if stack.fixed else [] for stack in self.dialect.stacks]
+        self.keys = [
+            [self.new(blank=True) for _ in range(stack.depth)] if stack.fixed else [] for stack in self.dialect.stacks
+        ]
         first = [["x" for _ in keys] for keys in self.keys]
         self.foreign.clear()
         self.steps.append(
@@ -105,7 +107,9 @@ class _Maker:
                 "say": self.opening(scan).as_dict(),
             }
         )
-        heads = {sum(len(one.lines) for one in self.program.networks[:at]) for at in range(1, len(self.program.networks))}
+        heads = {
+            sum(len(one.lines) for one in self.program.networks[:at]) for at in range(1, len(self.program.networks))
+        }
         for number, step in enumerate(scan.steps):
             self.step(scan, number, step, starts=number in heads)
 
@@ -139,7 +143,14 @@ class _Maker:
         if starts:
             swept = self.new_network()
         before = [list(keys) for keys in self.keys]
-        shot: dict[str, Any] = {"line": number, "scan": scan.number, "from": {}, "enter": {}, "leave": swept, "changed": []}
+        shot: dict[str, Any] = {
+            "line": number,
+            "scan": scan.number,
+            "from": {},
+            "enter": {},
+            "leave": swept,
+            "changed": [],
+        }
         self.keys = [
             [self.key(shot, stack, place, before, step) for place in range(len(origins))]
             for stack, origins in enumerate(step.flow.after)
@@ -149,7 +160,7 @@ class _Maker:
         shot["cells"] = self.cells(values, number, step)
         shot["read"] = [[address.text, repr(value)] for address, value in step.read]
         shot["write"] = [[address.text, repr(value)] for address, value in step.written]
-        shot["say"] = says(self.dialect, step).as_dict()
+        shot["say"] = says(self.dialect, step, first=not scan.before.scans).as_dict()
         warning = self.warning(number, step)
         if warning:
             shot["warn"] = warning.as_dict()
@@ -209,14 +220,19 @@ class _Maker:
         move = self.moves[number]
         if key in self.blank:
             return "u"
-        return ("s" if move.spent[stack][place] else "") + ("f" if key in self.foreign else "") + move.tags[stack][place]
+        return (
+            ("s" if move.spent[stack][place] else "") + ("f" if key in self.foreign else "") + move.tags[stack][place]
+        )
 
     def warning(self, number: int, step: Step[Column]) -> Text | None:
         for address, value in step.written:
             if value.unknown:
                 return rule("RUN001").says.format(address=address.text)
         if self.moves[number].lost:
-            return Text("最下面一层还没有用过的值被推出栈底，丢失了。", "The bottom level's value, not yet used, was pushed out and is lost.")
+            return Text(
+                "最下面一层还没有用过的值被推出栈底，丢失了。",
+                "The bottom level's value, not yet used, was pushed out and is lost.",
+            )
         return None
 
     def data(self, title: Text) -> dict[str, Any]:

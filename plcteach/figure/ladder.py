@@ -32,7 +32,9 @@ _COIL, _OPEN = 11.0, 76.0
 _SAID = 400
 
 
-def ladder_scene(ladder: Ladder | Rung, *, style: Style = "relay", powered: Mapping[str, object] | None = None) -> Scene:
+def ladder_scene(
+    ladder: Ladder | Rung, *, style: Style = "relay", powered: Mapping[str, object] | None = None
+) -> Scene:
     """Draw a ladder; `powered` gives the values of bits (0 or 1) by address, and lights the wires that carry power then.
 
     A bit that `powered` does not name counts as 0; for an edge contact the key is its mark and address, "P I0.0".
@@ -194,7 +196,9 @@ class _Picture:
 
     def symbol(self, piece: Placed, nets: frozenset[int]) -> Iterator[Shape]:
         x, y, symbol = self.middle(piece), self.y(piece.row), piece.symbol
-        on = self.conducts(piece, nets) != (self.powered is not None and isinstance(symbol, Coil) and symbol.kind == "not")
+        on = self.conducts(piece, nets) != (
+            self.powered is not None and isinstance(symbol, Coil) and symbol.kind == "not"
+        )
         ink = "wire-on" if on else "contact"
         match symbol:
             case Contact():

@@ -17,8 +17,8 @@ from plcteach.figure.stack import illustrate as stack_scene
 from plcteach.figure.strip import strip as strip_scene
 from plcteach.figure.svg import Figure
 from plcteach.ladder import is_drawing, lower, read_drawing
-from plcteach.machine.scan import Domain, Memory, run, sweep
-from plcteach.machine.signals import ONE, ZERO, Column, X
+from plcteach.machine.rows import Rows
+from plcteach.machine.scan import Memory, run, sweep
 from plcteach.stl import read
 
 if TYPE_CHECKING:
@@ -79,7 +79,7 @@ def film_of(
 ) -> Film:
     """Make the film of one scan, or of several if `inputs` is a list with one mapping a scan."""
     program = program_of(text, dialect)
-    scans = [dict(inputs)] if hasattr(inputs, "keys") else [dict(row) for row in inputs or [{}]]  # type: ignore[arg-type, call-overload]
+    scans = [dict(inputs)] if hasattr(inputs, "keys") else [dict(row) for row in inputs or [{}]]  # type: ignore[arg-type]
     return film(run(program, scans).scans)
 
 
@@ -94,14 +94,18 @@ class TruthTable:
     def __repr__(self) -> str:
         head = f"{' '.join(self.inputs)} | {' '.join(self.outputs)}"
         lines = [
-            f"{_spread(values, self.inputs)} | {_spread(results, self.outputs)}".rstrip() for values, results in self.rows
+            f"{_spread(values, self.inputs)} | {_spread(results, self.outputs)}".rstrip()
+            for values, results in self.rows
         ]
         return "\n".join([head, *lines])
 
     def _repr_html_(self) -> str:
         head = "".join(f"<th>{escape(address)}</th>" for address in (*self.inputs, *self.outputs))
         body = "".join(
-            "<tr>" + "".join(f"<td>{value}</td>" for value in values) + "".join(f"<td><b>{value}</b></td>" for value in results) + "</tr>"
+            "<tr>"
+            + "".join(f"<td>{value}</td>" for value in values)
+            + "".join(f"<td><b>{value}</b></td>" for value in results)
+            + "</tr>"
             for values, results in self.rows
         )
         return f"<table><tr>{head}</tr>{body}</table>"
@@ -119,19 +123,12 @@ def table(text: str | Program, dialect: str | Dialect | None = None) -> TruthTab
     if len(inputs) > MOST_TABLE_INPUTS:
         msg = f"a table of {len(inputs)} inputs would have {2 ** len(inputs)} rows; {MOST_TABLE_INPUTS} inputs is the most"
         raise PlcTeachError(msg)
-    cases = 1 << len(inputs)
-    every = (1 << cases) - 1
-    domain = Domain(*(Column(every * bit.may0, every * bit.may1) for bit in (ZERO, ONE, X)))
-    columns = {}
-    for place, name in enumerate(reversed(inputs)):
-        ones = sum(1 << case for case in range(cases) if case >> place & 1)
-        columns[name] = Column(every & ~ones, ones)
-    after = sweep(program, Memory(), columns, domain)
-    rows = tuple(
-        (
-            "".join(columns[name].at(case) for name in inputs),
-            "".join(after.bits.get(name, domain.zero).at(case) for name in outputs),
-        )
-        for case in range(cases)
+    rows = Rows(len(inputs))
+    columns = {name: rows.variable(place) for place, name in enumerate(reversed(inputs))}
+    after = sweep(program, Memory(), columns, rows.domain)
+    results = [after.bits.get(name, rows.domain.zero) for name in outputs]
+    shown = tuple(
+        ("".join(columns[name].at(case) for name in inputs), "".join(one.at(case) for one in results))
+        for case in range(rows.cases)
     )
-    return TruthTable(tuple(inputs), tuple(outputs), rows)
+    return TruthTable(tuple(inputs), tuple(outputs), shown)

@@ -27,7 +27,14 @@ def _contact(dialect: Dialect, role: Role, mark: str) -> Insn | None:
         return None
     name = base.operands[0].name
     wanted = tuple(_put(clause, name, mark) for clause in base.effect.clauses)
-    return next((row for row in dialect.insns if row.effect.clauses == wanted and _takes_one(row, name) and row.close == base.close), None)
+    return next(
+        (
+            row
+            for row in dialect.insns
+            if row.effect.clauses == wanted and _takes_one(row, name) and row.close == base.close
+        ),
+        None,
+    )
 
 
 def _takes_one(row: Insn, name: str) -> bool:
@@ -36,13 +43,19 @@ def _takes_one(row: Insn, name: str) -> bool:
 
 def _put(clause: Clause, name: str, mark: str) -> Clause:
     """Put the inverse or the edge of an operand in the operand's place."""
-    return replace(clause, gives=tuple(replace(give, formula=_marked(give.formula, name, mark)) for give in clause.gives))
+    return replace(
+        clause, gives=tuple(replace(give, formula=_marked(give.formula, name, mark)) for give in clause.gives)
+    )
 
 
 def _marked(formula: Formula, name: str, mark: str) -> Formula:
     match formula:
         case Name(found) if found == name:
-            kinds: dict[str, Formula] = {"/": Not(formula), "P ": Edge(rising=True, of=formula), "N ": Edge(rising=False, of=formula)}
+            kinds: dict[str, Formula] = {
+                "/": Not(formula),
+                "P ": Edge(rising=True, of=formula),
+                "N ": Edge(rising=False, of=formula),
+            }
             return kinds.get(mark, formula)
         case Two(op, left, right):
             return Two(op, _marked(left, name, mark), _marked(right, name, mark))

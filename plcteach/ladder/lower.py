@@ -114,7 +114,10 @@ class _Lowering:
         if depth(rung) > MOST_NESTED:
             self.refuse(f"嵌套超过{MOST_NESTED}层", f"it is nested deeper than {MOST_NESTED}")
         if rung.stem is None:
-            self.refuse("线圈直接接在左母线上，前面至少要有一个触点", "a coil hangs on the left rail itself; a contact must come first")
+            self.refuse(
+                "线圈直接接在左母线上，前面至少要有一个触点",
+                "a coil hangs on the left rail itself; a contact must come first",
+            )
         else:
             self.begin(rung.stem, "load", at_rail=True)
             self.outs(rung.outs)
@@ -235,14 +238,21 @@ class _Lowering:
     def coil(self, coil: Coil) -> None:
         insn = coil_word(self.dialect, coil.kind)
         if insn is None:
-            self.refuse(f"没有对应线圈（{coil.mark}{coil.address}）的指令", f"it has no instruction for the coil ({coil.mark}{coil.address})")
+            self.refuse(
+                f"没有对应线圈（{coil.mark}{coil.address}）的指令",
+                f"it has no instruction for the coil ({coil.mark}{coil.address})",
+            )
             return
         address = self.address(coil.address, insn)
         if self.dialect.area(address).role == "input":
-            self.refuse(f"{coil.address}是输入，程序不能写它", f"{coil.address} is an input, which a program cannot write")
+            self.refuse(
+                f"{coil.address}是输入，程序不能写它", f"{coil.address} is an input, which a program cannot write"
+            )
         places = tuple(self.dialect.following(address, coil.count))
         if len(places) < coil.count:
-            self.refuse(f"从{coil.address}起没有{coil.count}个位", f"there are not {coil.count} bits from {coil.address} on")
+            self.refuse(
+                f"从{coil.address}起没有{coil.count}个位", f"there are not {coil.count} bits from {coil.address} on"
+            )
         if any(operand.number for operand in insn.operands):
             self.emit(insn, address, coil.count)
         else:
@@ -284,7 +294,13 @@ class _Lowering:
             cells += [give.tag for give in clause.gives]
         for stack in self.dialect.stacks:
             if len(self.stacks[stack.name]) > stack.depth:
-                self.refuse(f"{stack.title.zh}只有{stack.depth}层，放不下这么多中间结果", f"the {stack.title.en} holds no more than {stack.depth} values")
+                self.refuse(
+                    f"{stack.title.zh}只有{stack.depth}层，放不下这么多中间结果",
+                    f"the {stack.title.en} holds no more than {stack.depth} values",
+                )
         for limit in self.dialect.limits:
             if sum(cells.count(limit.tag) for cells in self.stacks.values()) > limit.most:
-                self.refuse(f"同时等待的最多是{limit.most}{limit.title.zh}", f"at most {limit.most} {limit.title.en} may wait at once")
+                self.refuse(
+                    f"同时等待的最多是{limit.most}{limit.title.zh}",
+                    f"at most {limit.most} {limit.title.en} may wait at once",
+                )

@@ -89,6 +89,9 @@ class _Meaning(Generic[S]):
 def _there(flow: S | None) -> S:
     if flow is None:
         raise NotRepresentableError(
-            Text("线圈或NOT直接接在左母线上，前面没有触点。", "A coil or NOT hangs on the left rail itself, with no contact before it.")
+            Text(
+                "线圈或NOT直接接在左母线上，前面没有触点。",
+                "A coil or NOT hangs on the left rail itself, with no contact before it.",
+            )
         )
     return flow

@@ -163,7 +163,9 @@ class _Parser:
                 return parallel(*map(self.inverse, parts))
             case Parallel(parts):
                 return series(*map(self.inverse, parts))
-        self.stop(Text("能取反的部分（沿和NOT前面不能写 /）", "a part without edges and NOT, for / cannot turn those round"))
+        self.stop(
+            Text("能取反的部分（沿和NOT前面不能写 /）", "a part without edges and NOT, for / cannot turn those round")
+        )
         return node
 
     def out(self) -> Out:
@@ -186,7 +188,9 @@ class _Parser:
         found = coil_of(address, mark, count)
         if found is None:
             self.next -= 1
-            self.stop(Text("逗号；只有S和R可以写位数（1–255）", "a comma; only S and R take a number of bits (1 to 255)"))
+            self.stop(
+                Text("逗号；只有S和R可以写位数（1–255）", "a comma; only S and R take a number of bits (1 to 255)")
+            )
         return found or Coil(address)
 
 

@@ -30,7 +30,9 @@ MOST_ROWS = 120
 """Rows of one rung."""
 MOST_FINDINGS = 20
 
-_PLAIN = str.maketrans(dict.fromkeys("─━—―╌┄═", "-") | dict.fromkeys("│┃║┆╎", "|") | dict.fromkeys("┌┐└┘├┤┬┴┼╭╮╯╰┏┓┗┛┣┫┳┻╋╔╗╚╝╠╣╦╩╬", "+"))
+_PLAIN = str.maketrans(
+    dict.fromkeys("─━—―╌┄═", "-") | dict.fromkeys("│┃║┆╎", "|") | dict.fromkeys("┌┐└┘├┤┬┴┼╭╮╯╰┏┓┗┛┣┫┳┻╋╔╗╚╝╠╣╦╩╬", "+")
+)
 _HEADING = re.compile(r"\s*(?:NETWORK|RUNG|网络|程序段|梯级)\s*\d{0,9}\s*(?P<rest>(?![\w.]).*)", re.IGNORECASE)
 _COMMENTS = re.compile(r"//[^\n]*|\(\*.*?(?:\*\)|\Z)", re.DOTALL)
 _CONTROL = re.compile(r"[\x00-\x08\x0e-\x1f\x7f]")
@@ -119,7 +121,9 @@ class _Reading:
             self.close()
             self.one_line(number, plain)
         elif len(self.rows) >= MOST_ROWS:
-            self.too_large(Span(number), Text(f"一级超过{MOST_ROWS}行", f"a rung of more than {MOST_ROWS} rows"), f"{MOST_ROWS}")
+            self.too_large(
+                Span(number), Text(f"一级超过{MOST_ROWS}行", f"a rung of more than {MOST_ROWS} rows"), f"{MOST_ROWS}"
+            )
             self.rows.clear()
         else:
             self.rows.append(_row(number, code, wide=self.wide))

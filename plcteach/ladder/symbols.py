@@ -10,7 +10,8 @@ from plcteach.core.ladder import Coil, Contact, Invert
 ADDRESS = r"%?[^\W_][\w.]{0,23}"
 _CONTACT = re.compile(rf"\s*(?P<mark>[/!↑↓]|[PN]\s)?\s*(?P<address>{ADDRESS})\s*", re.IGNORECASE)
 _COIL = re.compile(
-    rf"\s*(?P<mark>[/!]|(?:SET|RST|S|R)\s)?\s*(?P<address>{ADDRESS})(?:(?:\s*,\s*|\s+)(?P<count>\d{{1,3}}))?\s*", re.IGNORECASE
+    rf"\s*(?P<mark>[/!]|(?:SET|RST|S|R)\s)?\s*(?P<address>{ADDRESS})(?:(?:\s*,\s*|\s+)(?P<count>\d{{1,3}}))?\s*",
+    re.IGNORECASE,
 )
 EDGES = {"P": "rise", "↑": "rise", "N": "fall", "↓": "fall"}
 KINDS = {"S": "set", "SET": "set", "R": "reset", "RST": "reset", "/": "not", "!": "not"}

@@ -15,7 +15,9 @@ def write_drawing(ladder: Ladder | Rung) -> str:
     """Draw a ladder, or one rung, as text; where any rung has a title, every rung gets a heading."""
     rungs = getattr(ladder, "rungs", (ladder,))
     headed = any(one.title for one in rungs)
-    parts = ["\n".join(_heading(one, number, headed=headed) + _rows(layout(one))) for number, one in enumerate(rungs, 1)]
+    parts = [
+        "\n".join(_heading(one, number, headed=headed) + _rows(layout(one))) for number, one in enumerate(rungs, 1)
+    ]
     title = "" if ladder in rungs else _one_line(ladder.title)
     return "".join(f"{part}\n" for part in ([f"// {title}"] if title else []) + ["\n\n".join(parts)] if part)
 

@@ -9,10 +9,10 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, NamedTuple
 
-from plcteach.core.diagnostic import Diagnostic, rule
+from plcteach.core.diagnostic import Diagnostic, Note, rule
 from plcteach.core.ladder import Coil, Contact, Invert
 from plcteach.core.source import Span
 from plcteach.core.text import NOTHING, Text, same
@@ -31,8 +31,14 @@ FILL = "\ufdd0"
 
 _MARGIN = 3
 _WIRES = frozenset("-|+")
-_TOKEN = re.compile(r"(?P<wire>[-|+]+)|(?P<symbol>\[[^\[\]]*\]|\([^()]*\)|\{[^{}]*\})|(?P<open>[\[\](){}])|(?P<word>[^\s\-|+\[\](){}]+)")
+_TOKEN = re.compile(
+    r"(?P<wire>[-|+]+)|(?P<symbol>\[[^\[\]]*\]|\([^()]*\)|\{[^{}]*\})|(?P<open>[\[\](){}])|(?P<word>[^\s\-|+\[\](){}]+)"
+)
 _SHOWN = 24
+_MISSED = Text(
+    "这里的竖线差一列，没有接上。是想接到这里吗？",
+    "The upright wire here is one column away and does not meet it. Was it meant to?",
+)
 
 
 class Row(NamedTuple):
@@ -70,13 +76,17 @@ class Sheet:
     tips: Counter[Cell] = field(default_factory=Counter)
     found: list[Diagnostic] = field(default_factory=list)
 
-    def say(self, code: str, row: int, start: int, stop: int, word: Text = NOTHING, most: int = 0) -> None:
+    def say(self, code: str, row: int, start: int, stop: int, *, word: Text = NOTHING, most: int = 0) -> None:
         """Note a finding at some columns of a row."""
         self.found.append(rule(code).at(self.rows[row].span(start, stop), word=word, most=most))
 
     def say_of(self, code: str, element: Element) -> None:
         """Note a finding at an element, which it names."""
         self.say(code, element.row, element.start, element.stop, word=self.name(element))
+        miss = next(_near_misses(self, element.source), None)
+        if code == "DRW008" and miss:
+            note = Note(self.rows[miss[0]].span(miss[1], miss[1] + 1), _MISSED)
+            self.found[-1] = replace(self.found[-1], notes=(note,))
 
     def name(self, element: Element) -> Text:
         """Give an element as it was drawn."""
@@ -163,6 +173,14 @@ def _number_nets(out: Sheet) -> None:
             _flood(out, [cell], number)
 
 
+def _near_misses(out: Sheet, net: int | None) -> Iterator[Cell]:
+    """Give uprights and joints of other wires that a wire misses by one column: the commonest slip of the hand."""
+    for (row, column), number in out.nets.items() if net is not None else ():
+        if number == net and out.rows[row].signs[column] != "-":
+            corners = ((row + up, column + side) for up in (-1, 1) for side in (-1, 1))
+            yield from (cell for cell in corners if out.sign(*cell) in {"|", "+"} and out.nets[cell] != net)
+
+
 def _flood(out: Sheet, waiting: list[Cell], number: int) -> None:
     while waiting:
         cell = waiting.pop()
@@ -182,7 +200,11 @@ def _connect(out: Sheet) -> None:
         if element.source is None and before and (before.row, before.stop) == (row, element.start):
             fresh += 1
             before.target = element.source = fresh
-        elif element.source is None and not out.rows[row].signs[: element.start].strip() and element.start < out.margin + _MARGIN:
+        elif (
+            element.source is None
+            and not out.rows[row].signs[: element.start].strip()
+            and element.start < out.margin + _MARGIN
+        ):
             element.source = LEFT
         element.target = out.nets.get((row, element.stop))
         before = element

@@ -15,8 +15,8 @@ from plcteach.machine.step import Stacks, Step, step
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
-    from plcteach.core.program import Program
     from plcteach.core.area import Address
+    from plcteach.core.program import Program
     from plcteach.core.spec import Operand
 
 MOST_NODES = 2_000

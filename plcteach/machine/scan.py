@@ -10,9 +10,9 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
+from plcteach.core.area import Address
 from plcteach.core.diagnostic import Diagnostic, rule
 from plcteach.core.errors import UnknownNameError
-from plcteach.core.area import Address
 from plcteach.machine.signals import ONE, ZERO, Column, Signal, X
 from plcteach.machine.step import Stacks, Step, step
 

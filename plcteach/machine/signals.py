@@ -31,7 +31,9 @@ class Column:
     may1: int
 
     def __repr__(self) -> str:
-        return {(1, 0): "0", (0, 1): "1", (1, 1): "x"}.get((self.may0, self.may1), f"Column({self.may0:b}, {self.may1:b})")
+        return {(1, 0): "0", (0, 1): "1", (1, 1): "x"}.get(
+            (self.may0, self.may1), f"Column({self.may0:b}, {self.may1:b})"
+        )
 
     def __and__(self, other: Column) -> Column:
         return Column(self.may0 | other.may0, self.may1 & other.may1)

@@ -9,8 +9,8 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, Generic, Protocol, TypeVar
 
-from plcteach.core.effect import At, Both, Edge, Flow, Formula, Name, Not, Shape, flow
 from plcteach.core.area import Address
+from plcteach.core.effect import At, Both, Edge, Flow, Formula, Name, Not, Shape, flow
 from plcteach.machine.signals import Signal
 
 if TYPE_CHECKING:

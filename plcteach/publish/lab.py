@@ -38,7 +38,13 @@ def open_lab(folder: Path | None = None, *, browser: bool = True) -> int:
         msg = "JupyterLab is not installed here. Install it with: pip install 'plcteach[lab]'"
         raise PlcTeachError(msg)
     where = lessons(folder).resolve()
-    command = [sys.executable, "-m", "jupyterlab", f"--ServerApp.root_dir={where}", f"--LabApp.default_url=/lab/tree/{_INDEX}"]
+    command = [
+        sys.executable,
+        "-m",
+        "jupyterlab",
+        f"--ServerApp.root_dir={where}",
+        f"--LabApp.default_url=/lab/tree/{_INDEX}",
+    ]
     try:
         return subprocess.run([*command, *([] if browser else ["--no-browser"])], check=False).returncode  # noqa: S603
     except KeyboardInterrupt:

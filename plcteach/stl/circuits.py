@@ -123,14 +123,14 @@ class _Walk:
             for name in names(verb.formula) if verb.formula else ():
                 if name in taken:
                     taken[name].spent = True
-        used: set[str] = set()
+        self.give(effect, taken)
+
+    def give(self, effect: Effect, taken: dict[str, _Cell]) -> None:
+        """Put the cells back: a name that stands alone is the taken cell itself, once; all else is new."""
         for clause in effect.clauses:
             for give in clause.gives:
-                formula = give.formula
-                kept = isinstance(formula, Name) and formula.name in taken and formula.name not in used
-                if isinstance(formula, Name) and kept:
-                    used.add(formula.name)
-                self.stacks[clause.stack].append(taken[formula.name] if isinstance(formula, Name) and kept else _Cell())
+                alone = give.formula.name if isinstance(give.formula, Name) else ""
+                self.stacks[clause.stack].append(taken.pop(alone, None) or _Cell())
 
     def find(self, cells: list[_Cell], tag: str) -> None:
         """Settle the ghosts that an instruction meets: a join makes the uppermost real, a branch instruction drops them."""

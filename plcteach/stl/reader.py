@@ -6,12 +6,11 @@ import re
 from functools import lru_cache
 from typing import TYPE_CHECKING
 
+from plcteach.core.area import Address, Area
 from plcteach.core.diagnostic import Diagnostic, rule
 from plcteach.core.errors import nearest
 from plcteach.core.program import Arg, Line, Program
 from plcteach.core.source import Span, decode
-from plcteach.core.area import Address, Area
-from plcteach.core.spec import Dialect, Insn, Operand
 from plcteach.core.text import NOTHING, Text, same
 from plcteach.dialects import dialect as find_dialect
 from plcteach.stl.circuits import arrange
@@ -19,6 +18,8 @@ from plcteach.stl.tokens import Heading, Statement, Word, cut
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
+
+    from plcteach.core.spec import Dialect, Insn, Operand
 
 _NUMBER = re.compile(r"[+]?\d{1,9}")
 _MOST_SUGGESTIONS = 200
@@ -142,7 +143,9 @@ class _Reading:
             self.say("RDR005", word.span, word=word.shown, expected=expected, near=self.near_address(word.text))
         elif isinstance(found, Area):
             note = self.dialect.note_octal if found.base == _OCTAL else NOTHING
-            self.say("RDR006", word.span, word=word.shown, area=found.title, first=found.first, last=found.last, note=note)
+            self.say(
+                "RDR006", word.span, word=word.shown, area=found.title, first=found.first, last=found.last, note=note
+            )
         elif found.area not in self.dialect.kinds[operand.kind].areas:
             self.say("RDR007", word.span, word=insn.mnemonic, address=found.text, expected=expected)
         else:
@@ -156,7 +159,11 @@ class _Reading:
         if len(word) > _LONGEST_ADDRESS:
             return NOTHING
         digits = word.upper()
-        tries = [digits[:1] + digits[1:].replace("O", "0").replace("L", "1"), f"{digits[:-1]}.{digits[-1:]}", f"%{digits}"]
+        tries = [
+            digits[:1] + digits[1:].replace("O", "0").replace("L", "1"),
+            f"{digits[:-1]}.{digits[-1:]}",
+            f"%{digits}",
+        ]
         if digits.startswith("%"):
             tries.append(digits[1:])
         return _did_you_mean(tuple(one for one in tries if isinstance(self.dialect.address(one), Address))[:1])

@@ -61,9 +61,12 @@ class Tokens:
     tail: tuple[str, ...] = ()
 
 
-_HEADING = re.compile(r"\s*(?:NETWORK|RUNG|网络|程序段|梯级)\s*(?P<number>\d{0,9})\s*(?P<rest>(?![\w.]).*)", re.IGNORECASE)
+_HEADING = re.compile(
+    r"\s*(?:NETWORK|RUNG|网络|程序段|梯级)\s*(?P<number>\d{0,9})\s*(?P<rest>(?![\w.]).*)", re.IGNORECASE
+)
 _WRAPPER = re.compile(
-    r"\s*(?:ORGANIZATION_BLOCK\b.*|END_ORGANIZATION_BLOCK\s*|BEGIN\s*|TITLE\s*=.*|AUTHOR\s*:.*|VERSION\s*:.*)", re.IGNORECASE
+    r"\s*(?:ORGANIZATION_BLOCK\b.*|END_ORGANIZATION_BLOCK\s*|BEGIN\s*|TITLE\s*=.*|AUTHOR\s*:.*|VERSION\s*:.*)",
+    re.IGNORECASE,
 )
 _VARIABLES = re.compile(r"\s*VAR(?:_INPUT|_OUTPUT|_IN_OUT|_TEMP)?\s*", re.IGNORECASE)
 _WORDS = re.compile(r"[^\s,;]+")
@@ -73,7 +76,7 @@ _CONTROL = re.compile(r"[\x00-\x08\x0e-\x1f\x7f]")
 class _Cutter:
     """Goes down the rows of one text, with what it must remember from row to row."""
 
-    def __init__(self, closers: bool) -> None:
+    def __init__(self, *, closers: bool) -> None:
         self.out = Tokens()
         self.closers = closers
         self.comments: list[str] = []
@@ -216,4 +219,4 @@ def cut(text: str, *, closers: bool) -> Tokens:
         size, most = _characters(len(text)), _characters(MOST_CHARACTERS)
         out.diagnostics.append(rule("RDR013").at(Span(1), size=size, most=most))
         return out
-    return _Cutter(closers).cut(text)
+    return _Cutter(closers=closers).cut(text)

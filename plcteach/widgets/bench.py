@@ -21,9 +21,9 @@ from plcteach.widgets.show import Shown, module, styles
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
+    from plcteach.core.area import Address
     from plcteach.core.diagnostic import Diagnostic
     from plcteach.core.program import Program
-    from plcteach.core.area import Address
     from plcteach.core.spec import Dialect
     from plcteach.figure.film import Film
     from plcteach.machine.scan import Memory
@@ -104,7 +104,9 @@ class Workbench(Shown):
             self._memory, self._scan = None, 0
         wanted = json.loads(self.inputs)
         known = {address.text for address in program.addresses("input")}
-        trace: Trace[Column] = run(program, [{name: value for name, value in wanted.items() if name in known}], memory=self._memory)
+        trace: Trace[Column] = run(
+            program, [{name: value for name, value in wanted.items() if name in known}], memory=self._memory
+        )
         found += trace.diagnostics
         self._memory = trace.scans[-1].after
         self._scan += 1
@@ -123,7 +125,9 @@ class Workbench(Shown):
             "switches": [
                 {"address": one.text, "value": 1 if wanted.get(one.text) else 0} for one in program.addresses("input")
             ],
-            "lamps": [{"address": one.text, "value": repr(bits[one.text]) if one.text in bits else "0"} for one in lamps],
+            "lamps": [
+                {"address": one.text, "value": repr(bits[one.text]) if one.text in bits else "0"} for one in lamps
+            ],
             "scan": self._scan,
             "ok": good,
         }

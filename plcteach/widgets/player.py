@@ -54,5 +54,7 @@ def table(film: Film) -> str:
     for step in film.data["steps"]:
         if step["line"] >= 0:
             values = " ".join(cell[3] for cell in step["cells"] if cell[1] == 0)
-            rows.append(f"<tr><td><code>{escape(lines[step['line']]['text'])}</code></td><td><code>{values}</code></td></tr>")
+            rows.append(
+                f"<tr><td><code>{escape(lines[step['line']]['text'])}</code></td><td><code>{values}</code></td></tr>"
+            )
     return f"<table>{''.join(rows[:200])}</table>"

@@ -17,7 +17,7 @@ def module(name: str) -> str:
     return f"{script(name)}\nexport default {{ render }};\n"
 
 
-class Shown(anywidget.AnyWidget):  # type: ignore[misc]
+class Shown(anywidget.AnyWidget):
     """A widget that says what it shows, the same words on every run, and leaves a still picture in a saved notebook."""
 
     language = traitlets.Unicode("en").tag(sync=True)

@@ -166,7 +166,9 @@ def test_a_wrong_answer_is_shown_on_the_inputs_that_tell_it_apart(chromium: Brow
     page.keyboard.type(WRONG.replace("ALD", "OLD"))
     page.wait_for_timeout(500)
     page.get_by_role("button", name="Check").first.click()
-    page.wait_for_function("document.querySelector('.plc-verdict-headline').textContent.startsWith('Correct')", timeout=10_000)
+    page.wait_for_function(
+        "document.querySelector('.plc-verdict-headline').textContent.startsWith('Correct')", timeout=10_000
+    )
     page.close()
 
 

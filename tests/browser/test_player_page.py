@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import pytest
+from labpage import axe
 
 from plcteach.core.text import Text
 from plcteach.figure.film import film
@@ -13,13 +14,14 @@ from plcteach.machine import run
 from plcteach.publish import player_page
 from plcteach.stl import read
 
-from labpage import axe
-
 if TYPE_CHECKING:
     from playwright.sync_api import Browser, Page
 
 PROGRAMS = {
-    "s7-200": ("LD I0.0; A I0.1; LD I0.2; AN I0.3; OLD; = Q0.0; LPS; A I0.4; = Q0.1; LPP; AN I0.5; = Q0.2", {"I0.2": 1}),
+    "s7-200": (
+        "LD I0.0; A I0.1; LD I0.2; AN I0.3; OLD; = Q0.0; LPS; A I0.4; = Q0.1; LPP; AN I0.5; = Q0.2",
+        {"I0.2": 1},
+    ),
     "fx": ("LD X0; OR X5; MPS; AND X1; OUT Y0; MRD; AND X2; OUT Y1; MPP; AND X3; OUT Y2; END", {"X0": 1, "X2": 1}),
     "neza": ("LD %I0.0; AND( %I0.1; OR %I0.2; ); MPS; ST %Q0.0; MPP; ANDN %I0.3; ST %Q0.1", {"%I0.0": 1, "%I0.2": 1}),
     "gutta": ("LD I0.0; LPS; A I0.1; = Q0.0; LPP; LD I0.2; O I0.3; ALD; = Q0.1", {"I0.0": 1, "I0.3": 1}),
@@ -48,7 +50,11 @@ def opened(chromium: Browser, path: Path, **options: Any) -> Page:
 
 
 def stack(page: Page) -> str:
-    return str(page.locator(".plc-stage, .plc-picture").locator("xpath=descendant-or-self::*[@role='img']").first.get_attribute("aria-label"))
+    return str(
+        page.locator(".plc-stage, .plc-picture")
+        .locator("xpath=descendant-or-self::*[@role='img']")
+        .first.get_attribute("aria-label")
+    )
 
 
 def current(page: Page) -> str:

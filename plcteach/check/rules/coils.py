@@ -31,7 +31,11 @@ def double_coil(program: Program, row: Rule) -> Iterator[Diagnostic]:
 
 def _coil(line: Line) -> str:
     """Give the bit that a line drives as a coil, which set and reset do not."""
-    return line.bits[0].text if line.bits and any(verb.name == "coil" and verb.target == "out" for verb in line.insn.then) else ""
+    return (
+        line.bits[0].text
+        if line.bits and any(verb.name == "coil" and verb.target == "out" for verb in line.insn.then)
+        else ""
+    )
 
 
 def _first_coil(program: Program, address: str) -> Line:

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from typing import TypeVar
 
-from plcteach.machine.walk import Walk
 from plcteach.core.diagnostic import Diagnostic, Rule, rule
 from plcteach.core.errors import DeclarationError
 from plcteach.core.program import Program
+from plcteach.machine.walk import Walk
 
 Seen = TypeVar("Seen", Walk, Program)
 Finder = Callable[[Seen, Rule], Iterator[Diagnostic]]

@@ -2,18 +2,20 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from plcteach.check.rules.registry import STACK_RULES, finds
-from plcteach.core.diagnostic import Diagnostic, Note, Rule
+from plcteach.core.diagnostic import Note
 from plcteach.core.effect import At, Name
 from plcteach.core.text import NOTHING, Text, same
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
-    from plcteach.machine.walk import Cell, Move, Walk
+    from plcteach.core.diagnostic import Diagnostic, Rule
     from plcteach.core.spec import Insn
+    from plcteach.machine.walk import Cell, Move, Walk
 
 _FETCHES = {"read", "pop"}
 _JOINS = {"join_series", "join_parallel"}
@@ -42,14 +44,20 @@ def underflow(walk: Walk, row: Rule) -> Iterator[Diagnostic]:
 def _wanted(move: Move) -> int:
     """Count the values of the main stack that a line must find there."""
     clause = move.line.effect.clauses[0]
-    deepest = [give.formula.n + 1 for give in clause.gives if isinstance(give.formula, At) and isinstance(give.formula.n, int)]
+    deepest = [
+        give.formula.n + 1 for give in clause.gives if isinstance(give.formula, At) and isinstance(give.formula.n, int)
+    ]
     return max([sum(not take.optional for take in clause.takes if _used(move, take.name)), *deepest])
 
 
 def _used(move: Move, name: str) -> bool:
     """Say whether a taken value matters: NEZA's LD takes the accumulator only to replace it."""
     return (
-        any(origin.sources and move.flow.named.get(name) in origin.sources for stack in move.flow.after for origin in stack)
+        any(
+            origin.sources and move.flow.named.get(name) in origin.sources
+            for stack in move.flow.after
+            for origin in stack
+        )
         or name not in move.flow.named
     )
 
@@ -137,7 +145,9 @@ def value_dropped(walk: Walk, row: Rule) -> Iterator[Diagnostic]:
     """A value is thrown away before anything has used it; the cell that a pop overwrites on purpose is no loss."""
     for before, move in zip((None, *walk.moves), walk.moves, strict=False):
         for cell in move.dropped:
-            made_for_it = before is not None and before.role == "load" and cell.line is before.line and move.role == "pop"
+            made_for_it = (
+                before is not None and before.role == "load" and cell.line is before.line and move.role == "pop"
+            )
             if not made_for_it:
                 yield row.at(move.line.span, word=move.line.text, row=_row(cell))
 
@@ -148,13 +158,8 @@ def residue(walk: Walk, row: Rule) -> Iterator[Diagnostic]:
     left = _leftover(walk)
     if left and not _last_read(walk, left):
         rows = "、".join(str(_row(cell)) for cell in left), ", ".join(str(_row(cell)) for cell in left)
-        yield row.at(
-            walk.last.span,
-            severity=walk.dialect.residue,
-            unit=walk.dialect.unit,
-            count=len(left),
-            rows=Text(*rows),
-        )
+        finding = row.at(walk.last.span, unit=walk.dialect.unit, count=len(left), rows=Text(*rows))
+        yield replace(finding, severity=walk.dialect.residue)
 
 
 @finds("STK006", STACK_RULES)
@@ -163,16 +168,12 @@ def last_branch_reads(walk: Walk, row: Rule) -> Iterator[Diagnostic]:
     read = _last_read(walk, _leftover(walk))
     if read:
         roles = walk.dialect.roles
-        finding = row.at(
-            walk.last.span,
-            severity=walk.dialect.residue,
-            fix=Text(f"把第{read.line.span.row}行改成{roles['pop']}。", f"Make row {read.line.span.row} a {roles['pop']}."),
-            unit=walk.dialect.unit,
-            pop=roles["pop"],
-            read=roles["read"],
+        finding = row.at(walk.last.span, unit=walk.dialect.unit, pop=roles["pop"], read=roles["read"])
+        here = Text(f"这是最后一条支路，这里应是{roles['pop']}。", f"The last branch begins here: {roles['pop']}.")
+        fix = Text(
+            f"把第{read.line.span.row}行改成{roles['pop']}。", f"Make row {read.line.span.row} a {roles['pop']}."
         )
-        note = Note(read.line.span, Text(f"这是最后一条支路，这里应是{roles['pop']}。", f"The last branch begins here: {roles['pop']}."))
-        yield Diagnostic(finding.code, finding.severity, finding.span, finding.text, (note,), finding.fix)
+        yield replace(finding, severity=walk.dialect.residue, notes=(Note(read.line.span, here),), fix=fix)
 
 
 def _leftover(walk: Walk) -> list[Cell]:
@@ -204,19 +205,15 @@ def _single(walk: Walk, row: Rule, join: str, sign: str) -> Iterator[Diagnostic]
         single = _fused(walk, load.line.insn, sign) if move.role == join and ")" not in walk.dialect.words else None
         if single:
             operand = load.line.text.partition(" ")[2]
-            yield Diagnostic(
-                row.code,
-                row.severity,
-                load.line.span,
-                row.says.format(single=f"{single} {operand}", load=load.line.text, join=move.line.text),
-                (Note(move.line.span, same(f"{load.line.text} + {move.line.text} → {single} {operand}")),),
-            )
+            finding = row.at(load.line.span, single=f"{single} {operand}", load=load.line.text, join=move.line.text)
+            joined = same(f"{load.line.text} + {move.line.text} → {single} {operand}")
+            yield replace(finding, notes=(Note(move.line.span, joined),))
 
 
 def _fused(walk: Walk, load: Insn, sign: str) -> str | None:
     """Give the instruction that does a load and a join in one, found by its effect."""
     formula = load.effect.text.split()[-1]
-    if not load.operands or load.effect.clauses[0].gives[-1].formula in {Name("a")}:
+    if not load.operands or load.effect.clauses[0].gives[-1].formula == Name("a"):
         return None
     kinds = tuple(operand.kind for operand in load.operands)
     for insn in walk.dialect.insns:
