@@ -10,11 +10,12 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Literal
 
 from plcteach.core.errors import UnknownNameError
-from plcteach.core.source import Span
 from plcteach.core.text import NOTHING, Text
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
+
+    from plcteach.core.source import Span
 
 Severity = Literal["error", "warning", "info"]
 

@@ -217,12 +217,10 @@ class _Maker:
         return rows
 
     def flags(self, number: int, stack: int, place: int, key: str) -> str:
-        move = self.moves[number]
         if key in self.blank:
             return "u"
-        return (
-            ("s" if move.spent[stack][place] else "") + ("f" if key in self.foreign else "") + move.tags[stack][place]
-        )
+        cell = self.moves[number].after[stack][place]
+        return ("s" if cell.spent else "") + ("f" if key in self.foreign else "") + cell.tag
 
     def warning(self, number: int, step: Step[Column]) -> Text | None:
         for address, value in step.written:

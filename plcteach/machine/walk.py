@@ -6,10 +6,10 @@ The rules about the stack are short because all of them read this one walk, and 
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
-from plcteach.core.effect import Flow, Origin, flow, names
+from plcteach.core.effect import Flow, Origin, Place, flow, names
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -18,12 +18,12 @@ if TYPE_CHECKING:
     from plcteach.core.spec import Dialect, Role
 
 
-@dataclass(slots=True, eq=False)
+@dataclass(frozen=True, slots=True)
 class Cell:
-    """One cell's story.
+    """What is known of one cell at one moment.
 
     line: the line that put it there, None for what stood there before the network.  spent: an output has used it.
-    branch: a push has saved it.  tag: FX's L or B.
+    branch: a push has saved it and no pop has fetched it.  tag: FX's L or B.
     """
 
     line: Line | None = None
@@ -37,23 +37,26 @@ class Cell:
         return self.line is not None and not self.spent
 
 
+Cells = tuple[tuple[Cell, ...], ...]
+"""For each stack of the dialect its cells, top first."""
+
+
 @dataclass(frozen=True, slots=True)
 class Move:
-    """One line's doing: the cells before and after, what it took by name, and what it lost or dropped unused.
-
-    spent, tags: for each cell afterwards whether it was spent by then, and the tag it bore.
-    """
+    """One line's doing: the cells before and after, what it took by name, and the places of live cells it lost or dropped."""
 
     line: Line
     role: Role | None
-    before: tuple[tuple[Cell, ...], ...]
-    after: tuple[tuple[Cell, ...], ...]
+    before: Cells
+    after: Cells
     flow: Flow
     taken: dict[str, Cell]
-    lost: tuple[Cell, ...]
-    dropped: tuple[Cell, ...]
-    spent: tuple[tuple[bool, ...], ...]
-    tags: tuple[tuple[str, ...], ...]
+    lost: tuple[Place, ...]
+    dropped: tuple[Place, ...]
+
+    def at(self, place: Place) -> Cell:
+        """Give the cell that stood at a place before the line."""
+        return self.before[place[0]][place[1]]
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,7 +66,7 @@ class Walk:
     dialect: Dialect
     network: Network
     moves: tuple[Move, ...]
-    end: tuple[tuple[Cell, ...], ...] = field(default=())
+    end: Cells = field(default=())
 
     @property
     def last(self) -> Line:
@@ -79,7 +82,7 @@ def walks(program: Program) -> Iterator[Walk]:
 
 
 def _walk(dialect: Dialect, network: Network) -> Walk:
-    stacks = tuple(tuple(Cell() for _ in range(stack.depth)) if stack.fixed else () for stack in dialect.stacks)
+    stacks: Cells = tuple((Cell(),) * stack.depth if stack.fixed else () for stack in dialect.stacks)
     moves = []
     for line in network.lines:
         move = _move(dialect, line, stacks)
@@ -88,28 +91,39 @@ def _walk(dialect: Dialect, network: Network) -> Walk:
     return Walk(dialect, network, tuple(moves), stacks)
 
 
-def _move(dialect: Dialect, line: Line, before: tuple[tuple[Cell, ...], ...]) -> Move:
+def _move(dialect: Dialect, line: Line, before: Cells) -> Move:
     moves = flow(line.effect, dialect.shapes, tuple(map(len, before)))
     role = dialect.parts.get(line.insn.mnemonic)
     taken = {name: before[stack][place] for name, (stack, place) in moves.named.items()}
-    lost = tuple(before[stack][place] for stack, place in moves.lost if before[stack][place].live)
-    dropped = tuple(before[stack][place] for stack, place in moves.dropped if before[stack][place].live)
-    after = tuple(tuple(_cell(origin, before, line, role) for origin in stack) for stack in moves.after)
-    for verb in line.insn.then:
-        for name in names(verb.formula) if verb.formula else ():
-            if name in taken:
-                taken[name].spent = True
-    spent = tuple(tuple(cell.spent for cell in stack) for stack in after)
-    tags = tuple(tuple(cell.tag for cell in stack) for stack in after)
-    return Move(line, role, before, after, moves, taken, lost, dropped, spent, tags)
+    lost = tuple(place for place in moves.lost if before[place[0]][place[1]].live)
+    dropped = tuple(place for place in moves.dropped if before[place[0]][place[1]].live)
+    used = {moves.named[name] for name in _read_by_verbs(line) if name in moves.named}
+    after = tuple(
+        tuple(
+            _cell(origin, before, Cell(line, branch=role == "push", tag=origin.tag), (number, place), used)
+            for place, origin in enumerate(stack)
+        )
+        for number, stack in enumerate(moves.after)
+    )
+    return Move(line, role, before, after, moves, taken, lost, dropped)
 
 
-def _cell(origin: Origin, before: tuple[tuple[Cell, ...], ...], line: Line, role: Role | None) -> Cell:
+def _read_by_verbs(line: Line) -> set[str]:
+    return {name for verb in line.insn.then if verb.formula for name in names(verb.formula)}
+
+
+def _cell(origin: Origin, before: Cells, new: Cell, here: Place, used: set[Place]) -> Cell:
+    """Give a cell afterwards: a kept one is spent once read by an output, and no branch point any more once it is the top."""
     if origin.how == "blank":
         return Cell()
-    if origin.how == "kept":
-        stack, place = origin.sources[0]
-        cell = before[stack][place]
-        cell.tag = origin.tag or ("" if place == 0 else cell.tag)
-        return cell
-    return Cell(line, branch=role == "push", tag=origin.tag)
+    if origin.how != "kept":
+        return new
+    stack, place = origin.sources[0]
+    cell = before[stack][place]
+    top = here == (0, 0)
+    return replace(
+        cell,
+        spent=cell.spent or (stack, place) in used,
+        branch=cell.branch and not top,
+        tag=origin.tag or ("" if top else cell.tag),
+    )

@@ -126,11 +126,13 @@ class _Walk:
         self.give(effect, taken)
 
     def give(self, effect: Effect, taken: dict[str, _Cell]) -> None:
-        """Put the cells back: a name that stands alone is the taken cell itself, once; all else is new."""
+        """Put the cells back, the top first: a name alone is the taken cell itself, once; all else is new and unused."""
         for clause in effect.clauses:
-            for give in clause.gives:
+            given: list[_Cell] = []
+            for give in reversed(clause.gives):
                 alone = give.formula.name if isinstance(give.formula, Name) else ""
-                self.stacks[clause.stack].append(taken.pop(alone, None) or _Cell())
+                given.append(taken.pop(alone) if alone in taken else _Cell())
+            self.stacks[clause.stack] += given[::-1]
 
     def find(self, cells: list[_Cell], tag: str) -> None:
         """Settle the ghosts that an instruction meets: a join makes the uppermost real, a branch instruction drops them."""

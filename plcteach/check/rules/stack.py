@@ -107,9 +107,10 @@ def join_meets_branch(walk: Walk, row: Rule) -> Iterator[Diagnostic]:
 def lost_at_bottom(walk: Walk, row: Rule) -> Iterator[Diagnostic]:
     """A push on a full stack loses a value that nothing has used."""
     for move in walk.moves:
-        for cell in move.lost:
-            levels = max(stack.depth for stack in walk.dialect.stacks)
-            yield row.at(move.line.span, word=move.line.text, levels=levels, row=_row(cell))
+        for place in move.lost:
+            stack = walk.dialect.stacks[place[0]]
+            levels = stack.depth - 1 if stack.register else stack.depth
+            yield row.at(move.line.span, word=move.line.text, levels=levels, row=_row(move.at(place)))
 
 
 @finds("STK011", STACK_RULES)
@@ -144,7 +145,7 @@ def not_inside_parentheses(walk: Walk, row: Rule) -> Iterator[Diagnostic]:
 def value_dropped(walk: Walk, row: Rule) -> Iterator[Diagnostic]:
     """A value is thrown away before anything has used it; the cell that a pop overwrites on purpose is no loss."""
     for before, move in zip((None, *walk.moves), walk.moves, strict=False):
-        for cell in move.dropped:
+        for cell in map(move.at, move.dropped):
             made_for_it = (
                 before is not None and before.role == "load" and cell.line is before.line and move.role == "pop"
             )

@@ -1,0 +1,339 @@
+"""What a drawing says, that it survives being written and read again, and what each slip in one is called."""
+
+from __future__ import annotations
+
+import sys
+import time
+from pathlib import Path
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from plcteach.core.diagnostic import RULES, Diagnostic
+from plcteach.core.errors import DeclarationError
+from plcteach.core.ladder import (
+    Branch,
+    Coil,
+    Contact,
+    Invert,
+    Ladder,
+    Parallel,
+    Rung,
+    Series,
+    branch,
+    depth,
+    parallel,
+    series,
+)
+from plcteach.ladder.picture import is_drawing, read_drawing, read_line, write_drawing, write_line
+
+sys.path.insert(0, str(Path(__file__).parent))
+from random_ladders import ladders, rungs
+
+A, B, C, D, E = (Contact(f"I0.{number}") for number in range(5))
+Q, R = Coil("Q0.0"), Coil("Q0.1")
+
+
+def one(drawing: str) -> Rung:
+    ladder, found = read_drawing(drawing)
+    assert found == ()
+    assert len(ladder.rungs) == 1
+    return ladder.rungs[0]
+
+
+SEAL_IN = """\
+--[ I0.0 ]--+--[/I0.1 ]--( Q0.0 )
+--[ Q0.0 ]--+
+"""
+
+DRAWINGS = {
+    "seal-in": (SEAL_IN, Rung(Series((Parallel((A, Contact("Q0.0"))), Contact("I0.1", negated=True))), (Q,))),
+    "rails": ("|--[ I0.0 ]--( Q0.0 )--|", Rung(A, (Q,))),
+    "no wire at all": ("[I0.0](Q0.0)", Rung(A, (Q,))),
+    "touching symbols": ("--[I0.0][I0.1]--(Q0.0)", Rung(Series((A, B)), (Q,))),
+    "symbols": (
+        (
+            "-[P I0.0]-[N I0.1]-[NOT]-[!I0.2]-+-(S Q0.0 3)\n                                 +-(R Q0.1)-|\n"
+            "                                 +-(/Q0.2)"
+        ),
+        None,
+    ),
+    "two outputs, further contacts": (
+        "--[ I0.0 ]--+---------------( Q0.0 )\n            |\n            +--[ I0.1 ]-----( Q0.1 )",
+        Rung(A, (Q, Branch(B, (R,)))),
+    ),
+    "two levels": (
+        "--[I0.0]-+-[I0.1]-+-[I0.2]-(Q0.0)\n         |        +-[I0.3]-(Q0.1)\n         +-[I0.4]----------(Q0.2)",
+        Rung(A, (Branch(B, (Branch(C, (Q,)), Branch(D, (R,)))), Branch(E, (Coil("Q0.2"),)))),
+    ),
+    "three blocks in series": (
+        "--[I0.0]--+--+--[I0.1]--+--+--[I0.2]--+--(Q0.0)\n--[I0.3]--+  +--[I0.4]--+  +--[I0.3]--+",
+        Rung(Series((Parallel((A, D)), Parallel((B, E)), Parallel((C, D)))), (Q,)),
+    ),
+    "parallel within parallel": (
+        (
+            "--+--[I0.0]--+--[I0.1]--+--(Q0.0)\n  |          |          |\n  |          +--[I0.2]--+\n  |                     |\n"
+            "  +--[I0.3]-------------+"
+        ),
+        Rung(Parallel((Series((A, Parallel((B, C)))), D)), (Q,)),
+    ),
+    "full width": ("－－［　Ｉ０．０　］－－（　Ｑ０．０　）", Rung(A, (Q,))),
+    "full width brackets above plain ones": ("--【I0.0】--+--(Q0.0)\n--[ I0.1 ]--+", Rung(Parallel((A, B)), (Q,))),
+    "box drawing": ("├──[ I0.0 ]──┬──( Q0.0 )──┤\n│            └──( Q0.1 )──┤", Rung(A, (Q, R))),
+    "comments": ("--[ I0.0 ]--( Q0.0 )   // the lamp\n// nothing here", Rung(A, (Q,))),
+    "tabs and crlf": ("\t--[ I0.0 ]--( Q0.0 )\r\n", Rung(A, (Q,))),
+    "lower case": ("--[ %i0.0 ]--( 启动 )", Rung(Contact("%I0.0"), (Coil("启动"),))),
+    "right rail apart": ("--[I0.0]--(Q0.0)  |\n                  |", Rung(A, (Q,))),
+}
+
+
+@pytest.mark.parametrize("name", DRAWINGS)
+def test_drawings_read_as_they_look(name: str) -> None:
+    drawing, expected = DRAWINGS[name]
+    if expected is not None:
+        assert one(drawing) == expected
+    assert read_drawing(write_drawing(Ladder((one(drawing),)))) == (Ladder((one(drawing),)), ())
+
+
+def test_every_symbol_is_read() -> None:
+    rung = one(DRAWINGS["symbols"][0])
+    assert rung.stem == Series(
+        (Contact("I0.0", edge="rise"), Contact("I0.1", edge="fall"), Invert(), Contact("I0.2", negated=True))
+    )
+    assert rung.outs == (Coil("Q0.0", "set", 3), Coil("Q0.1", "reset"), Coil("Q0.2", "not"))
+    assert [symbol.mark for symbol in rung.symbols if not isinstance(symbol, Invert)] == [
+        "P ",
+        "N ",
+        "/",
+        "S ",
+        "R ",
+        "/ ",
+    ]
+
+
+def test_the_canonical_drawing_is_the_one_of_the_books() -> None:
+    assert write_drawing(Ladder((one(SEAL_IN),))) == SEAL_IN
+    assert write_drawing(one("I0.0 -> (I0.1 -> Q0.0), (I0.2 -> S Q0.1 3)")) == (
+        "--[ I0.0 ]--+--[ I0.1 ]--( Q0.0 )\n            +--[ I0.2 ]--(S Q0.1 3)\n"
+    )
+
+
+def test_several_rungs_with_headings_blank_lines_and_a_common_rail() -> None:
+    ladder, found = read_drawing(
+        "// 电动机 motor\nNetwork 1 // start\n--[I0.0]--(Q0.0)\nRUNG 2\n--[I0.1]--(Q0.1)\n\n\n|--[I0.2]--(Q0.2)--|\n|\n|--[I0.3]--(Q0.3)--|\nI0.4 -> Q0.4\n"
+    )
+    assert found == ()
+    assert ladder.title == "电动机 motor"
+    assert [(rung.title, write_line(rung)) for rung in ladder.rungs] == [
+        ("start", "I0.0 -> Q0.0"), ("", "I0.1 -> Q0.1"), ("", "I0.2 -> Q0.2"), ("", "I0.3 -> Q0.3"), ("", "I0.4 -> Q0.4"),
+    ]  # fmt: skip
+    assert read_drawing(write_drawing(ladder)) == (ladder, ())
+
+
+@settings(max_examples=400, deadline=None)
+@given(ladder=ladders("s7-200", edges=True, turned=True))
+def test_ladder_to_drawing_to_ladder(ladder: Ladder) -> None:
+    drawing = write_drawing(ladder)
+    assert read_drawing(drawing) == (ladder, ())
+    assert is_drawing(drawing)
+    assert write_drawing(read_drawing(drawing)[0]) == drawing
+
+
+@settings(max_examples=200, deadline=None)
+@given(ladder=ladders("neza", edges=True, turned=True))
+def test_box_drawing_characters_and_rails_say_the_same(ladder: Ladder) -> None:
+    rows = write_drawing(ladder).splitlines()
+    width = max(map(len, rows)) + 2
+    railed = "\n".join(f"|{row.ljust(width, '-' if row.endswith(')') else ' ')}|" if row else "" for row in rows)
+    assert read_drawing(railed) == (ladder, ())
+    assert read_drawing(railed.translate(str.maketrans("-|+", "─│┼"))) == (ladder, ())
+
+
+@settings(max_examples=200, deadline=None)
+@given(rung=rungs("fx", edges=True, turned=True))
+def test_one_line_there_and_back(rung: Rung) -> None:
+    assert read_line(write_line(rung)) == rung
+    assert is_drawing(write_line(rung))
+
+
+LINES = {
+    "(I0.0 + Q0.0) · /I0.1 -> Q0.0": "(I0.0 + Q0.0) · /I0.1 -> Q0.0",
+    "(i0.0|q0.0)*!i0.1->q0.0": "(I0.0 + Q0.0) · /I0.1 -> Q0.0",
+    "I0.0 & I0.1 + I0.2 → Q0.0, S Q0.1, R Q0.2 4, /Q0.3": "I0.0 · I0.1 + I0.2 -> Q0.0, S Q0.1, R Q0.2 4, /Q0.3",
+    "/(I0.0 + /I0.1·I0.2) -> Q0.0": "/I0.0 · (I0.1 + /I0.2) -> Q0.0",
+    "//  not this": "",
+    "!!I0.0 -> Q0.0": "I0.0 -> Q0.0",
+    "↑I0.0 · N M0.0 · NOT -> Q0.0": "P I0.0 · N M0.0 · NOT -> Q0.0",
+    "（Ｉ０．０＋Ｉ０．１）＊Ｉ０．２－＞Ｑ０．０": "(I0.0 + I0.1) · I0.2 -> Q0.0",
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("line", [line for line in LINES if LINES[line]])
+def test_one_line_spellings(line: str) -> None:
+    assert write_line(one(line)) == LINES[line]
+
+
+BAD = {
+    "DRW001": "--[ I0.0 ]--( Q0.0 )  lamp",
+    "DRW002": "--[ I0.0 --( Q0.0 )",
+    "DRW003": "--[ I0.0 I0.1 ]--( Q0.0 )",
+    "DRW004": "--[ I0.0 ]--(S Q0.0 0)",
+    "DRW005": "--[ I0.0 ]--{ TON T37 30 }--( Q0.0 )",
+    "DRW006": "--[ I0.0 ]--+--( Q0.0 )\n            |",
+    "DRW007": "--[ I0.0 ]--[ I0.1 ]--",
+    "DRW008": "--[ I0.0 ]--( Q0.0 )\n            --( Q0.1 )",
+    "DRW009": "--[I0.0]--+--[I0.1]--+--(Q0.0)\n          |          |\n          +---(Q0.1) |\n--[I0.2]-------------+",
+    "DRW010": "--+--[ I0.0 ]--+--[ I0.1 ]--( Q0.0 )\n  +------------+",
+    "DRW011": "--[ I0.0 ]--( Q0.0 )--[ I0.1 ]--( Q0.1 )",
+    "DRW012": "-" * 600 + "[ I0.0 ]--( Q0.0 )",
+    "DRW013": "I0.0 + -> Q0.0",
+    "DRW014": "(" * 100 + "I0.0" + ")" * 100 + " -> Q0.0",
+    "DRW015": "   \n\n",
+}
+
+
+def test_every_declared_slip_has_a_bad_drawing() -> None:
+    assert set(BAD) == {code for code in RULES if code.startswith("DRW")}
+
+
+@pytest.mark.parametrize("code", BAD)
+def test_a_bad_drawing_is_called_by_its_name(code: str) -> None:
+    ladder, found = read_drawing(BAD[code])
+    assert {one.code for one in found} == {code}
+    assert ladder.rungs == ()
+    for one_found in found:
+        assert "{" not in one_found.text.zh.replace("方框 { ", "") or code == "DRW005"
+
+
+PLACES = [
+    ("DRW001", "--[ I0.0 ]--( Q0.0 )  lamp", (1, 22, 26)),
+    ("DRW006", "\n--[ I0.0 ]--+--( Q0.0 )\n            |", (3, 12, 13)),
+    ("DRW007", "--[ I0.0 ]--", (1, 2, 10)),
+    ("DRW008", "--[ I0.0 ]--( Q0.0 )\n            --( Q0.1 )", (2, 14, 22)),
+    ("DRW009", "--[I0.0]--+--[I0.1]--+--(Q0.0)\n          +---(Q0.1) |\n--[I0.2]-------------+", (1, 21, 22)),
+    ("DRW013", "I0.0 + * I0.1 -> Q0.0", (1, 7, 8)),
+    ("DRW001", "－－［Ｉ０．０］－－（Ｑ０．０）灯", (1, 16, 17)),
+]
+
+
+@pytest.mark.parametrize(("code", "drawing", "place"), PLACES)
+def test_a_finding_stands_where_the_slip_is(code: str, drawing: str, place: tuple[int, int, int]) -> None:
+    found = [one for one in read_drawing(drawing)[1] if one.code == code]
+    assert (found[0].span.row, found[0].span.start, found[0].span.stop) == place
+
+
+def test_a_joint_that_misses_by_one_column_is_pointed_at() -> None:
+    found = read_drawing("--[ I0.0 ]--+--( Q0.0 )\n             +--( Q0.1 )")[1]
+    assert [(one.code, one.notes[0].span.row, one.notes[0].span.start) for one in found] == [("DRW008", 1, 12)]
+
+
+def test_a_real_bridge_is_refused_and_said_once() -> None:
+    bridge = """\
+--[I0.0]--+--[I0.3]----------+--(Q0.0)
+          |                  |
+          +--[I0.2]--+       |
+                     |       |
+--[I0.1]-------------+-[I0.4]+
+"""
+    ladder, found = read_drawing(bridge)
+    assert ladder.rungs == ()
+    assert [one.code for one in found] == ["DRW009"]
+
+
+def test_good_rungs_beside_a_bad_one_are_kept() -> None:
+    ladder, found = read_drawing("--[I0.0]--(Q0.0)\n\n--[I0.1]--\n\n--[I0.2]--(Q0.2)")
+    assert [write_line(rung) for rung in ladder.rungs] == ["I0.0 -> Q0.0", "I0.2 -> Q0.2"]
+    assert [one.span.row for one in found] == [3]
+
+
+HOSTILE = {
+    "1 MB of wires": "-" * 1_000_000,
+    "1 MB of rows": "--[I0.0]--(Q0.0)\n" * 60_000,
+    "many rows within the limit": "--[I0.0]--(Q0.0)\n" * 5_800,
+    "one tall rung": "--[I0.0]--+\n" * 8_000,
+    "10,000 columns": "--[ I0.0 ]" * 1_000 + "--( Q0.0 )",
+    "control characters": "--[ I0.0 ]\x00\x01--( Q0.0 )",
+    "10,000 parentheses": "(" * 10_000 + "I0.0" + ")" * 10_000 + "->Q0.0",
+    "400 parentheses": "(" * 200 + "I0.0" + ")" * 200 + "->Q0.0",
+    "400 inversions": "/" + "/" * 399 + "(->",
+    "inversions and parentheses": "!(" * 200 + "I0.0" + ")" * 200 + "->Q0.0",
+    "nested outputs": "I0.0->" + "(I0.0->" * 60 + "Q0.0",
+    "brackets": "[(" * 200 + "\n" + "])" * 200,
+    "crosses": ("+" * 400 + "\n") * 100,
+    "a maze": ("-+|" * 150 + "\n") * 110,
+    "full width": "＋" * 90_000,
+    "emoji": "🙂--[ 🙂 ]--( 🙂 )" * 20,
+    "surrogate": "--[ \ud800 ]--( Q0.0 )",
+    "filler": "--[ \ufdd0 ]--( \ufdd0Q0.0 )",
+    "nothing": "",
+}
+
+
+@pytest.mark.parametrize("name", HOSTILE)
+def test_hostile_text_gives_a_finding_within_a_second(name: str) -> None:
+    begun = time.process_time()
+    ladder, found = read_drawing(HOSTILE[name])
+    assert time.process_time() - begun < 1
+    assert found or (ladder.rungs and name == "many rows within the limit")
+    assert len(found) <= 20
+    is_drawing(HOSTILE[name])
+
+
+@settings(max_examples=400, deadline=None)
+@given(text=st.text(st.sampled_from("-|+[]()/ \nI0.1QNPSR,>{}＋【─┬→·"), max_size=200))
+def test_any_scribble_gives_rungs_or_findings(text: str) -> None:
+    ladder, found = read_drawing(text)
+    assert ladder.rungs or found
+    for one_found in found:
+        assert isinstance(one_found, Diagnostic)
+        rows = text.split("\n")
+        assert 1 <= one_found.span.row <= len(rows)
+        assert 0 <= one_found.span.start <= one_found.span.stop <= len(rows[one_found.span.row - 1]) + 1
+
+
+@settings(max_examples=200, deadline=None)
+@given(ladder=ladders("s7-200"), data=st.data())
+def test_one_slip_in_a_drawing_is_found_or_gives_another_ladder_but_never_a_crash(
+    ladder: Ladder, data: st.DataObject
+) -> None:
+    drawing = write_drawing(ladder)
+    at = data.draw(st.integers(0, len(drawing) - 1))
+    slip = drawing[:at] + data.draw(st.sampled_from(" -+|[](x")) + drawing[at + 1 :]
+    read, found = read_drawing(slip)
+    if not found:
+        assert read_drawing(write_drawing(read)) == (read, ())
+
+
+@pytest.mark.parametrize(("text", "expected"), [
+    (SEAL_IN, True),
+    ("I0.0 -> Q0.0", True),
+    ("\n\n  // a comment -- with dashes\n--[I0.0]--(Q0.0)", True),
+    ("|\n|--[I0.0]--(Q0.0)", True),
+    ("├──[ I0.0 ]──( Q0.0 )┤", True),
+    ("Network 1 // start\n--[I0.0]--(Q0.0)", True),
+    ("LD I0.0 // -> the lamp\n= Q0.0", False),
+    ("(* -- *)\nLD I0.0", False),
+    ("Network 1 // a -- b\nLD I0.0\n= Q0.0", False),
+    ("LD I0.0\n--[I0.0]--(Q0.0)", False),
+    ("", False),
+])  # fmt: skip
+def test_a_drawing_is_told_from_a_program(text: str, *, expected: bool) -> None:
+    assert is_drawing(text) is expected
+
+
+def test_makers_give_the_plain_form() -> None:
+    assert series(series(A, B), C) == Series((A, B, C))
+    assert parallel(A) == A
+    assert parallel(parallel(A, B), series(C, parallel(D, E))) == Parallel((A, B, Series((C, Parallel((D, E))))))
+    assert branch(A, branch(B, Q, R)) == Branch(Series((A, B)), (Q, R))
+    assert depth(Rung(Series((A, Parallel((B, C)))), (Q,))) == 4
+    assert repr(Contact("i0.0", negated=True)) == "Contact(/I0.0)"
+    assert "\n" not in repr(Rung(A, (Q,)))
+
+
+def test_a_developer_is_told_about_what_cannot_be() -> None:
+    with pytest.raises(DeclarationError):
+        Contact("I0.0", negated=True, edge="rise")
+    with pytest.raises(DeclarationError):
+        Rung(A, ())

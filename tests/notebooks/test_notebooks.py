@@ -1,0 +1,202 @@
+"""The lessons as files: two editions with one code, built and normalised, in the words of the glossary and the shape of a lesson."""
+
+from __future__ import annotations
+
+import importlib.util
+import json
+import re
+from pathlib import Path
+from urllib.parse import unquote
+
+import nbformat
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+FOLDER = ROOT / "notebooks"
+_spec = importlib.util.spec_from_file_location("build_notebooks", Path(__file__).with_name("build.py"))
+build = importlib.util.module_from_spec(_spec)
+_spec.loader.exec_module(build)
+
+BOOKS = [path.relative_to(FOLDER).as_posix() for path in build.notebooks()]
+LESSONS = sorted(path.name for path in (FOLDER / "en").glob("[0-9]*.ipynb"))
+EDITIONS = [f"{lang}/{name}" for name in LESSONS for lang in ("en", "zh")]
+FIRST = 'import plcteach as plc\n\nplc.language("{}")'
+
+SHAPE = {
+    "en": (
+        "**After this lesson you can**",
+        "**Predict.**",
+        "**Observe.**",
+        "**Explain.**",
+        "## Summary",
+        "## Check yourself",
+        "## What to remember",
+        "## Next",
+        "## Sources",
+        "**A model, not the hardware.**",
+        "[rec]",
+    ),
+    "zh": (
+        "**学完以后，你能够**",
+        "**先猜一猜。**",
+        "**观察。**",
+        "**解释。**",
+        "## 小结",
+        "## 自我检查",
+        "## 请记住",
+        "## 下一",
+        "## 资料来源",
+        "**这是模型，不是真实的PLC。**",
+        "[rec]",
+    ),
+}
+MINUTES = {"en": re.compile(r"\*About \d+ minutes · "), "zh": re.compile(r"\*约\d+分钟 · ")}
+TERMS = {
+    "00-contacts-and-coils.ipynb": (
+        "梯形图 左母线 能流 触点 常开触点 常闭触点 线圈 位地址 操作码 操作数 语句表（STL） 扫描周期 过程映像 网络 自锁 连续（纵接）输出"
+    ),
+    "01-what-the-stack-is-for.ipynb": (
+        "逻辑堆栈 层 栈顶 栈底 入栈 后进先出 电路块 电路块并联 电路块串联 分支点 逻辑入栈 逻辑读栈 逻辑出栈 装载堆栈 运算结果寄存器 "
+        "指令表 栈内残留值"
+    ),
+}
+NEVER = {
+    "zh": re.compile(r"堆(?!栈)|(?<!入)(?<!出)(?<!读)(?<!进)接点|映象|非法|无效|断路触点|S0层|第0层"),
+    "en": re.compile(r"\b(illegal|invalid|obviously|simply|of course)\b|level S\d|level 0\b", re.IGNORECASE),
+}
+
+
+def _read(name):
+    return nbformat.read(FOLDER / name, 4)
+
+
+def _cells(name, kind):
+    return [cell for cell in _read(name).cells if cell.cell_type == kind]
+
+
+def _prose(name):
+    return "\n\n".join(cell.source for cell in _cells(name, "markdown"))
+
+
+def test_both_editions_have_the_same_lessons():
+    assert LESSONS
+    assert sorted(path.name for path in (FOLDER / "zh").glob("[0-9]*.ipynb")) == LESSONS
+
+
+@pytest.mark.parametrize("name", LESSONS)
+def test_both_editions_have_the_same_code_cells_but_for_the_language(name):
+    english, chinese = ([(cell.id, cell.source) for cell in _cells(f"{lang}/{name}", "code")] for lang in ("en", "zh"))
+    assert english[0][1] == FIRST.format("en")
+    assert chinese[0][1] == FIRST.format("zh")
+    assert english[1:] == chinese[1:]
+
+
+@pytest.mark.parametrize("name", BOOKS)
+def test_a_notebook_is_executed_without_trouble(name):
+    code = _cells(name, "code")
+    assert [cell.execution_count for cell in code] == list(range(1, len(code) + 1))
+    kinds = {output.output_type for cell in code for output in cell.outputs}
+    assert kinds <= {"execute_result"}
+
+
+@pytest.mark.parametrize("name", BOOKS)
+def test_a_notebook_is_in_its_normal_form(name):
+    text = (FOLDER / name).read_text(encoding="utf-8")
+    assert build.normal(_read(name)) == text
+    raw = json.loads(text)
+    assert raw["metadata"] == {"kernelspec": build.KERNEL, "language_info": {"name": "python"}}
+    assert [cell["id"] for cell in raw["cells"]] == [f"c{number:03d}" for number in range(len(raw["cells"]))]
+    assert "widget-view" not in text
+
+
+@pytest.mark.parametrize("name", BOOKS)
+def test_what_is_shown_can_be_compared_as_text(name):
+    shown = {kind for cell in _cells(name, "code") for output in cell.outputs for kind in output.data}
+    assert shown <= {"text/plain", "text/html", "image/svg+xml"}
+
+
+@pytest.mark.parametrize("name", EDITIONS)
+def test_a_lesson_has_the_lesson_shape_with_its_chapters_in_order(name):
+    lang = name[:2]
+    prose = _prose(name)
+    places = {part: prose.find(part) for part in SHAPE[lang]}
+    assert [part for part, place in places.items() if place < 0] == []
+    chapters = [place for part, place in places.items() if part.startswith("## ")]
+    assert chapters == sorted(chapters)
+    assert MINUTES[lang].search(prose)
+
+
+@pytest.mark.parametrize("name", EDITIONS)
+def test_a_lesson_ends_with_three_questions_and_their_folded_answers(name):
+    asked = next(cell.source for cell in _cells(name, "markdown") if SHAPE[name[:2]][5] in cell.source)
+    assert re.findall(r"^\*\*(\d)\.\*\*", asked, re.MULTILINE) == ["1", "2", "3"]
+    assert asked.count("<details><summary>") == asked.count("</details>") == 3
+
+
+@pytest.mark.parametrize("name", EDITIONS)
+def test_every_prediction_is_asked_before_a_folded_answer(name):
+    predict = SHAPE[name[:2]][1]
+    cells = _read(name).cells
+    asked = [
+        number
+        for number, cell in enumerate(cells)
+        if number and cell.cell_type == "markdown" and predict in cell.source
+    ]
+    folded = [number for number, cell in enumerate(cells) if cell.metadata.get("jupyter", {}).get("outputs_hidden")]
+    assert len(asked) >= 8
+    assert [number for number in asked if number + 1 not in folded] == []
+
+
+@pytest.mark.parametrize("name", EDITIONS)
+def test_a_cell_holds_one_idea_of_at_most_three_statements(name):
+    for cell in _cells(name, "code"):
+        outside = re.sub(r'""".*?"""', '""', cell.source, flags=re.DOTALL)
+        assert len([line for line in outside.splitlines() if line.strip()]) <= 3, cell.source
+
+
+@pytest.mark.parametrize("name", LESSONS)
+def test_the_chinese_edition_introduces_the_words_of_the_glossary_in_bold(name):
+    bold = set(re.findall(r"\*\*([^*\n]+)\*\*", _prose(f"zh/{name}")))
+    assert [term for term in TERMS[name].split() if term not in bold] == []
+
+
+@pytest.mark.parametrize("name", BOOKS)
+def test_no_word_is_used_that_the_glossary_or_the_voice_forbids(name):
+    prose = _prose(name)
+    spared = re.sub(r"https?://\S+|\(.*?\.ipynb\)", "", prose)
+    languages = ("en", "zh") if "/" not in name else (name[:2],)
+    assert [word.group() for lang in languages for word in NEVER[lang].finditer(spared)] == []
+
+
+def test_the_forbidden_words_are_recognised():
+    assert NEVER["zh"].search("把值压入堆里")
+    assert not NEVER["zh"].search("逻辑堆栈")
+    assert NEVER["en"].search("An illegal instruction")
+
+
+@pytest.mark.parametrize("name", BOOKS)
+def test_every_link_between_notebooks_leads_somewhere(name):
+    links = re.findall(r"\]\(([^)#]+)\)", _prose(name))
+    local = [link for link in links if "://" not in link]
+    assert local
+    assert [link for link in local if not ((FOLDER / name).parent / unquote(link)).resolve().is_file()] == []
+
+
+def test_the_index_lists_every_lesson_in_both_editions_with_its_title_and_minutes():
+    prose = _prose("index.ipynb")
+    for name in EDITIONS:
+        first = _cells(name, "markdown")[0].source
+        title = first.splitlines()[0].removeprefix("# ")
+        minutes = re.search(r"\d+(?=分钟| minutes)", first).group()
+        row = next(line for line in prose.splitlines() if f"]({name})" in line)
+        assert row.startswith(f"| [{title}]({name}) |")
+        assert row.endswith(f"| {minutes} |")
+
+
+@pytest.mark.parametrize("name", EDITIONS)
+def test_a_lesson_names_its_sources_by_their_files(name):
+    sources = _prose(name).split(SHAPE[name[:2]][8])[1]
+    assert set(re.findall(r"\b\d{3}_[0-9a-f]{16}\.txt", sources)) >= {
+        "000_8c35a2fe1b5d9b9b.txt",
+        "002_0e43569a3a430994.txt",
+    }
