@@ -210,11 +210,16 @@ class _Maker:
             for place, key in enumerate(keys):
                 formula, name, flags = -1, -1, "u" if key in self.blank else ""
                 if number is not None and step is not None:
-                    formula = self.word(written(self.formulas[number].after[stack][place], MOST_FORMULA_NODES))
+                    formula = self.formula(number, stack, place)
                     name = self.word(_name(step, stack, place))
                     flags = self.flags(number, stack, place, key)
                 rows.append([key, stack, place, values[stack][place], formula, name, flags])
         return rows
+
+    def formula(self, number: int, stack: int, place: int) -> int:
+        """Give the formula of a cell; one that nobody knows has none worth showing."""
+        text = written(self.formulas[number].after[stack][place], MOST_FORMULA_NODES)
+        return -1 if text == "x" else self.word(text)
 
     def flags(self, number: int, stack: int, place: int, key: str) -> str:
         if key in self.blank:
