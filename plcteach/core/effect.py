@@ -92,6 +92,9 @@ class Effect:
     def __repr__(self) -> str:
         return f"Effect({self.text!r})"
 
+    def __hash__(self) -> int:
+        return hash(self.text)
+
     @property
     def operands(self) -> frozenset[str]:
         """The names that must be declared as operands, because no clause takes them from a stack."""
@@ -175,6 +178,7 @@ class Flow:
     after: for each stack the origin of each cell, top first.  lost: cells that fell out at the bottom.
     dropped: cells popped and used for nothing.  merged: cells that went into a new value.
     missing: how many cells each stack was short of.  named: where each taken name stands (absent if missing).
+    heads: how many cells of each stack the effect gives.  tails: the stretch of old cells that follows them unchanged.
     """
 
     after: tuple[tuple[Origin, ...], ...]
@@ -184,6 +188,8 @@ class Flow:
     missing: tuple[int, ...]
     named: dict[str, Place]
     tags: dict[str, str]
+    heads: tuple[int, ...]
+    tails: tuple[tuple[int, int], ...]
 
 
 @lru_cache(maxsize=4096)
@@ -194,14 +200,18 @@ def flow(effect: Effect, shapes: tuple[Shape, ...], heights: tuple[int, ...]) ->
     homes = _homes(effect, numbers, named)
     after: list[tuple[Origin, ...]] = []
     lost: list[Place] = []
+    heads: list[int] = []
     for number, shape in enumerate(shapes):
         cells = _given_cells(effect, shape.name, number, named, homes)
+        heads.append(min(len(cells), shape.depth))
         cells += [Origin("kept", ((number, place),)) for place in range(counts[number], heights[number])]
         lost += [one.sources[0] for one in cells[shape.depth :] if one.how == "kept"]
         cells = cells[: shape.depth]
         if shape.fixed:
             cells += [Origin("blank")] * (shape.depth - len(cells))
         after.append(tuple(cells))
+    room = [shape.depth - head for shape, head in zip(shapes, heads, strict=True)]
+    tails = [(start, min(height, start + free)) for start, height, free in zip(counts, heights, room, strict=True)]
     kept = {origin.sources[0] for stack in after for origin in stack if origin.how == "kept"}
     used = {place for stack in after for origin in stack if origin.how == "made" for place in origin.sources}
     gone = [place for place in named.values() if place not in kept]
@@ -213,6 +223,8 @@ def flow(effect: Effect, shapes: tuple[Shape, ...], heights: tuple[int, ...]) ->
         missing=missing,
         named=named,
         tags=tags,
+        heads=tuple(heads),
+        tails=tuple(tails),
     )
 
 

@@ -21,7 +21,7 @@ Arg = Address | int
 
 @dataclass(frozen=True, slots=True)
 class Line:
-    """One instruction of a program; `effect` is what it does here (FX's LD has two readings, `)` one for each opener)."""
+    """One instruction of a program; `bound` has its operands by name, `effect` is what it does here (FX's LD has two readings, `)` one for each opener)."""
 
     insn: Insn
     args: tuple[Arg, ...]
@@ -29,6 +29,12 @@ class Line:
     span: Span = field(default=Span(0), compare=False)
     comment: str = ""
     above: tuple[str, ...] = ()
+    bound: dict[str, Arg] = field(init=False, compare=False)
+
+    def __post_init__(self) -> None:
+        """Bind the operands to their names."""
+        names = (operand.name for operand in self.insn.operands)
+        object.__setattr__(self, "bound", dict(zip(names, self.args, strict=False)))
 
     def __repr__(self) -> str:
         return f"Line({self.text!r})"
@@ -43,11 +49,6 @@ class Line:
     def bits(self) -> tuple[Address, ...]:
         """The operands that are addresses."""
         return tuple(arg for arg in self.args if isinstance(arg, Address))
-
-    @property
-    def bound(self) -> dict[str, Arg]:
-        """The operands by name."""
-        return {operand.name: arg for operand, arg in zip(self.insn.operands, self.args, strict=False)}
 
 
 @dataclass(frozen=True, slots=True)

@@ -7,10 +7,10 @@ Where each cell comes from is the business of `core.effect.flow`, so the same or
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any, Generic, Protocol, TypeVar
+from typing import TYPE_CHECKING, Generic, Protocol, TypeVar
 
 from plcteach.core.area import Address
-from plcteach.core.effect import At, Both, Edge, Flow, Formula, Name, Not, Shape, flow
+from plcteach.core.effect import At, Both, Edge, Flow, Formula, Name, Not, Origin, Shape, flow
 from plcteach.machine.signals import Signal
 
 if TYPE_CHECKING:
@@ -60,20 +60,13 @@ def step(line: Line, shapes: tuple[Shape, ...], before: Stacks[S], world: World[
     moves = flow(line.effect, shapes, tuple(map(len, before)))
     evaluation = _Evaluation(line, before, moves, world, blank)
     after = tuple(
-        tuple(
-            before[origin.sources[0][0]][origin.sources[0][1]] if origin.how in {"kept", "copied"} and _there(origin.sources[0], before)
-            else evaluation.value(origin.formula) if origin.formula is not None
-            else blank
-            for origin in stack
-        )
-        for stack in moves.after
-    )  # fmt: skip
+        evaluation.head(number)
+        + before[number][start:stop]
+        + (blank,) * (len(moves.after[number]) - moves.heads[number] - stop + start)
+        for number, (start, stop) in enumerate(moves.tails)
+    )
     written = tuple(write for verb in line.insn.then for write in evaluation.writes(verb))
     return Step(line, before, after, moves, tuple(evaluation.seen), written, evaluation.remembered)
-
-
-def _there(place: tuple[int, int], before: Stacks[Any]) -> bool:
-    return place[1] < len(before[place[0]])
 
 
 @dataclass(slots=True)
@@ -87,6 +80,16 @@ class _Evaluation(Generic[S]):
     blank: S
     seen: list[tuple[Address, S]] = field(default_factory=list)
     remembered: S | None = None
+
+    def head(self, number: int) -> tuple[S, ...]:
+        """Give the cells that the effect itself puts on one stack; the others have only moved."""
+        return tuple(self.cell(origin) for origin in self.moves.after[number][: self.moves.heads[number]])
+
+    def cell(self, origin: Origin) -> S:
+        if origin.formula is not None:
+            return self.value(origin.formula)
+        stack, place = origin.sources[0]
+        return self.before[stack][place] if place < len(self.before[stack]) else self.blank
 
     def value(self, formula: Formula) -> S:
         match formula:

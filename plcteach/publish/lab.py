@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import shutil
 import subprocess
 import sys
@@ -45,6 +46,8 @@ def open_lab(folder: Path | None = None, *, browser: bool = True) -> int:
         f"--ServerApp.root_dir={where}",
         f"--LabApp.default_url=/lab/tree/{_INDEX}",
     ]
+    if hasattr(os, "geteuid") and os.geteuid() == 0:
+        command.append("--allow-root")  # in a container there often is no other user; the token still guards the server
     try:
         return subprocess.run([*command, *([] if browser else ["--no-browser"])], check=False).returncode  # noqa: S603
     except KeyboardInterrupt:

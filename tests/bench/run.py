@@ -1,0 +1,183 @@
+"""Measures what the design promises, side by side in one process, and prints ratios: python tests/bench/run.py [name ...]
+
+step       a step in the player against the same kind of picture drawn again by matplotlib
+traced     traced instructions a second against a bare loop over nine opcodes that keeps a trace of its own
+imports    `import plcteach` against bare Python, each in a fresh process
+columns    equivalence over 2^n rows by columns against the same rows one by one
+"""
+
+from __future__ import annotations
+
+import shutil
+import statistics
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Callable
+from io import BytesIO
+from pathlib import Path
+
+FLAGS = ["--no-sandbox", "--disable-gpu", "--no-first-run", "--disable-background-networking", "--disable-sync"]
+PROGRAM = "LD I0.0; A I0.1; LD I0.2; AN I0.3; OLD; LPS; A I0.4; = Q0.0; LRD; A I0.5; = Q0.1; LPP; AN I0.6; = Q0.2"
+
+
+def best(work: Callable[[], object], times: int = 5) -> float:
+    """Give the fastest of some runs in seconds: the one that others disturbed least."""
+    took = []
+    for _ in range(times):
+        start = time.perf_counter()
+        work()
+        took.append(time.perf_counter() - start)
+    return min(took)
+
+
+def show(name: str, *rows: tuple[str, str]) -> None:
+    print(f"\n{name}")
+    for what, value in rows:
+        print(f"  {what:<62} {value}")
+
+
+def step() -> None:
+    """Compare one step in the browser with one picture by matplotlib."""
+    from playwright.sync_api import sync_playwright
+
+    from plcteach.dialects import dialect
+    from plcteach.figure.film import film
+    from plcteach.figure.mpl import draw
+    from plcteach.figure.stack import illustrate
+    from plcteach.machine import run
+    from plcteach.publish import player_page
+    from plcteach.stl import read
+
+    scene = illustrate(dialect("s7-200"), "OLD")
+
+    def ink() -> None:
+        axes = draw(scene, "en")
+        axes.figure.savefig(BytesIO(), format="png")
+
+    ink()
+    drawn = best(ink)
+    page_text = player_page(film(run(read(PROGRAM, "s7-200"), [{"I0.0": 1}]).scans), "en")
+    with tempfile.TemporaryDirectory() as folder, sync_playwright() as playwright:
+        path = Path(folder) / "player.html"
+        path.write_text(page_text, encoding="utf-8")
+        browser = playwright.chromium.launch(executable_path=shutil.which("chromium"), args=FLAGS)
+        page = browser.new_page()
+        page.goto(path.as_uri())
+        page.wait_for_selector(".plc-player")
+        times = page.evaluate(
+            """async () => {
+              const player = document.querySelector('.plc-player'); player.focus();
+              const press = (key) => player.dispatchEvent(new KeyboardEvent('keydown', { key, bubbles: true, cancelable: true }));
+              const took = [];
+              for (let i = 0; i < 120; i++) {
+                const start = performance.now();
+                press(i % 24 < 12 ? 'ArrowRight' : 'ArrowLeft');
+                player.getBoundingClientRect();
+                took.push(performance.now() - start);
+                await new Promise(requestAnimationFrame);
+              }
+              return took;
+            }"""
+        )
+        browser.close()
+    stepped = statistics.median(times) / 1000
+    show(
+        "step: one step in the player (script, style and layout) against one picture by matplotlib",
+        ("player, median of 120 steps", f"{stepped * 1e3:.2f} ms"),
+        ("matplotlib, best of 5", f"{drawn * 1e3:.1f} ms"),
+        ("ratio (the issue asks for at least 20)", f"{drawn / stepped:.0f} times"),
+    )
+
+
+def bare(lines: list[tuple[str, str]], bits: dict[str, int]) -> int:
+    """Do the least that an interpreter of nine opcodes with a trace can do."""
+    stack = [0] * 9
+    trace = []
+    for opcode, operand in lines:
+        if opcode == "LD":
+            stack = [bits[operand], *stack[:8]]
+        elif opcode == "A":
+            stack = [stack[0] & bits[operand], *stack[1:]]
+        elif opcode == "AN":
+            stack = [stack[0] & (1 - bits[operand]), *stack[1:]]
+        elif opcode == "OLD":
+            stack = [stack[0] | stack[1], *stack[2:], 0]
+        elif opcode == "LPS":
+            stack = [stack[0], *stack[:8]]
+        elif opcode == "LRD":
+            stack = [stack[1], *stack[1:]]
+        elif opcode == "LPP":
+            stack = [*stack[1:], 0]
+        else:
+            bits[operand] = stack[0]
+        trace.append((opcode, tuple(stack)))
+    return len(trace)
+
+
+def traced() -> None:
+    """Compare traced instructions a second."""
+    from plcteach.machine import run
+    from plcteach.stl import read
+
+    for copies in (1, 10, 100):
+        program = read(";".join([PROGRAM] * copies), "s7-200")
+        lines = [(line.insn.mnemonic, line.args[0].text if line.args else "") for line in program.lines]
+        bits = {f"I0.{bit}": bit % 2 for bit in range(8)}
+        ours = best(lambda program=program: run(program, 3).scans[1].steps) / (4 * len(lines))
+        theirs = best(lambda lines=lines: [bare(lines, dict(bits)) for _ in range(4)]) / (4 * len(lines))
+        show(
+            f"traced: {len(lines)} lines, four scans",
+            ("plcteach (three values, origins of every cell, reads and writes)", f"{1 / ours:,.0f} instructions/s"),
+            ("bare loop (two values, the stack alone)", f"{1 / theirs:,.0f} instructions/s"),
+            ("ratio", f"{ours / theirs:.0f} times slower"),
+        )
+
+
+def imports() -> None:
+    """Compare starting times of fresh processes."""
+
+    def starts(code: str) -> float:
+        return best(lambda: subprocess.run([sys.executable, "-c", code], check=True), 9)
+
+    nothing = starts("pass")
+    words = starts("import plcteach")
+    brain = starts("import plcteach; plcteach.read, plcteach.run, plcteach.lint, plcteach.illustrate")
+    show(
+        "imports: seconds beyond bare Python (the issue allows 0.15)",
+        ("bare Python", f"{nothing:.3f} s"),
+        ("import plcteach", f"+{words - nothing:.3f} s"),
+        ("import plcteach and use read, run, lint, illustrate", f"+{brain - nothing:.3f} s"),
+    )
+
+
+def columns() -> None:
+    """Compare 2^n rows at once with 2^n runs, and show the twenty inputs that a column still holds."""
+    from plcteach.check import compare
+    from plcteach.machine import run
+    from plcteach.stl import read
+
+    for inputs in (8, 12, 16, 20):
+        names = [f"I{bit // 8}.{bit % 8}" for bit in range(inputs)]
+        blocks = [f"LD {a}; AN {b}" for a, b in zip(names[::2], names[1::2], strict=True)]
+        grouped = "; ".join(blocks + ["OLD"] * (len(blocks) - 1) + ["= Q0.0"])
+        joined = "; ".join([blocks[0], *(f"{one}; OLD" for one in blocks[1:]), "= Q0.0"])
+        if len(blocks) > 8:
+            grouped = joined.replace(blocks[0], f"{blocks[1]}; NOP 0").replace(f"; {blocks[1]}; OLD", f"; {blocks[0]}; OLD", 1)
+        reference, student = read(joined, "s7-200"), read(grouped, "s7-200")
+        assert compare(reference, student).proof == "table"
+        ours = best(lambda reference=reference, student=student: compare(reference, student))
+        rows = [(f"{inputs} inputs, {1 << inputs:,} rows by columns", f"{ours * 1e3:.2f} ms")]
+        if inputs <= 12:
+            scans = [{name: case >> bit & 1 for bit, name in enumerate(names)} for case in range(1 << inputs)]
+            one_by_one = best(lambda scans=scans, reference=reference, student=student: (run(reference, scans), run(student, scans)), 2)
+            rows += [("the same rows one by one", f"{one_by_one * 1e3:.0f} ms"), ("ratio", f"{one_by_one / ours:.0f} times")]
+        show("columns: are two lists the same?", *rows)
+
+
+BENCHMARKS = {one.__name__: one for one in (step, traced, imports, columns)}
+
+if __name__ == "__main__":
+    for wanted in sys.argv[1:] or BENCHMARKS:
+        BENCHMARKS[wanted]()

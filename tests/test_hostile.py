@@ -1,0 +1,546 @@
+"""Texts that nobody should write, and files that are no programs: a clear finding, soon, in two languages, and never an exception.
+
+Times are guards against hanging on slow machines, not measurements.
+"""
+
+from __future__ import annotations
+
+import io
+import json
+import os
+import subprocess
+import sys
+import time
+from contextlib import contextmanager
+from html.parser import HTMLParser
+from pathlib import Path
+from types import SimpleNamespace
+from xml.etree import ElementTree as ET
+
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+from plcteach.check import grade, judge, lint, verdict_on
+from plcteach.cli import main
+from plcteach.core.diagnostic import errors
+from plcteach.core.errors import NotRepresentableError
+from plcteach.core.source import decode
+from plcteach.dialects import names
+from plcteach.figure.film import film
+from plcteach.figure.ladder import ladder_scene
+from plcteach.figure.svg import svg
+from plcteach.ladder import is_drawing, lower, read_drawing
+from plcteach.machine import run
+from plcteach.machine.formula import spelled, written
+from plcteach.publish import player_page
+from plcteach.stl import read, write
+from plcteach.widgets import ExerciseDesk, Workbench
+
+ROOT = Path(__file__).parents[1]
+HANGS = 5.0
+SCRIPT = "<script>alert(1)</script>"
+DIALECTS = names()
+
+
+@contextmanager
+def soon(seconds: float = HANGS):
+    begun = time.monotonic()
+    yield
+    took = time.monotonic() - begun
+    assert took < seconds, f"took {took:.1f} s"
+
+
+def lint_json(capsys, monkeypatch, data: bytes, dialect: str, lang: str) -> list[dict[str, object]]:
+    """Lint bytes from standard input; nothing may stand on stderr."""
+    monkeypatch.setattr(sys, "stdin", SimpleNamespace(buffer=io.BytesIO(data)))
+    capsys.readouterr()
+    code = main(["lint", "-", "--dialect", dialect, "--json", "--lang", lang])
+    shown = capsys.readouterr()
+    assert shown.err == ""
+    found = json.loads(shown.out)
+    assert code == (1 if any(one["severity"] == "error" for one in found) else 0)
+    return found
+
+
+def rows(*lines: str, times: int) -> str:
+    return "\n".join(lines * times) + "\n"
+
+
+LONG = {
+    "a 10 MB line": "LD I0.0" + "1" * 10_000_000,
+    "a 10 MB line of blanks": " " * 10_000_000,
+    "a line just within 2 MB": "X" * 1_999_999,
+    "100,000 lines without an end": rows("LD I0.0", times=100_000),
+    "100,000 lines of rungs": rows("LD I0.0", "= Q0.0", times=50_000),
+    "100,000 lines of FX": rows("LD X0", "AND X1", times=50_000),
+    "100,000 lines of FX rungs": rows("LD X0", "OUT Y0", times=50_000),
+    "100,000 lines of FX that an ANB meets at last": rows("LD X0", "OUT Y0", times=9_000) + rows("ANB", times=900),
+    "100,000 lines of NEZA": rows("LD %I0.0", "ST %Q0.0", times=50_000),
+    "100,000 unknown words": rows("XYZZY", times=100_000),
+    "100,000 unknown words, each another": "\n".join(f"LDX{number}" for number in range(100_000)),
+    "good and bad lines in turn": rows("LD X0", "OUT Y0", "OUR Y0", times=30_000),
+    "good and bad rungs in turn": rows("LD %I0.0", "ST %Q0.0", "SPQR", times=30_000),
+    "200,000 networks": rows("Network 1", times=200_000),
+    "many statements on each of many rows": rows("a;" * 900, times=1_000),
+    "many instructions on each of many rows": rows("LD I0.0;" * 240, times=1_000),
+    "many FX instructions on each of many rows": rows("LD X0;OUT Y0;" * 150, times=1_000),
+    "many comments opened": "(*" * 900_000,
+    "many comments opened and closed": rows("(**)" * 400, times=1_000),
+    "many parentheses on each of many rows": rows(")" * 1_900, times=1_000),
+    "many slashes": "/" * 1_900_000,
+    "many commas": rows("," * 1_900, times=1_000),
+    "many pushes": rows("LPS", times=20_000),
+    "many FX pushes": "LD X0\n" + rows("MPS", times=19_000),
+}
+
+
+@pytest.mark.parametrize("dialect", ["s7-200", "fx", "neza", "gutta"])
+@pytest.mark.parametrize("name", LONG)
+def test_a_text_that_is_far_too_long_is_answered_soon(name: str, dialect: str) -> None:
+    with soon():
+        program = read(LONG[name], dialect)
+        found = lint(program)
+    assert errors(found) or "comments opened and closed" in name or "blanks" not in name
+    assert all(len(one.text.en) < 600 and len(one.text.zh) < 600 for one in found)
+
+
+@pytest.mark.parametrize("name", ["a 10 MB line", "100,000 lines of rungs", "100,000 unknown words", "many statements on each of many rows"])
+@pytest.mark.parametrize("lang", ["en", "zh"])
+def test_it_is_said_that_a_text_is_too_long(capsys, monkeypatch, name: str, lang: str) -> None:
+    with soon():
+        found = lint_json(capsys, monkeypatch, LONG[name].encode(), "s7-200", lang)
+    assert "RDR013" in {one["code"] for one in found}
+
+
+@pytest.mark.parametrize("name", LONG)
+def test_a_text_that_is_far_too_long_is_judged_soon(name: str) -> None:
+    with soon(2 * HANGS):
+        marks = grade("s7-two-blocks", LONG[name])
+    assert float(marks) == 0.0
+
+
+NUL = {
+    "one NUL": "LD I0.0\x00\n= Q0.0\n",
+    "a megabyte of NUL": "\x00" * 1_000_000,
+    "NUL between letters": "L\x00D\x00 \x00I\x000\x00.\x000\x00",
+    "escape sequences": "\x1b[31mLD I0.0\x1b[0m\n\x07= Q0.0\n",
+    "backspaces": "LD I0.0\x08\x08\x081.0\n",
+}
+
+
+@pytest.mark.parametrize("name", NUL)
+@pytest.mark.parametrize("lang", ["en", "zh"])
+def test_control_characters_are_named_and_not_repeated(capsys, monkeypatch, name: str, lang: str) -> None:
+    with soon():
+        found = lint_json(capsys, monkeypatch, NUL[name].encode(), "s7-200", lang)
+    assert "RDR014" in {one["code"] for one in found}
+    assert not any(ord(sign) < 32 for one in found for sign in str(one["text"]) if sign != "\n")
+
+
+def test_for_people_control_characters_do_not_reach_the_terminal(capsys, monkeypatch) -> None:
+    monkeypatch.setattr(sys, "stdin", SimpleNamespace(buffer=io.BytesIO(NUL["escape sequences"].encode())))
+    assert main(["lint", "-", "--dialect", "s7-200"]) == 1
+    shown = capsys.readouterr()
+    assert "\x1b" not in shown.out
+    assert "\x07" not in shown.out
+
+
+# Parentheses and depth
+
+
+@pytest.mark.parametrize("opener", ["AND( %I0.0", "OR(", "AND(N %M0"])
+def test_ten_thousand_parentheses_in_a_list(opener: str) -> None:
+    text = "LD %I0.0\n" + f"{opener}\n" * 10_000 + ")\n" * 10_000 + "ST %Q0.0\n"
+    with soon():
+        program = read(text, "neza")
+        found = lint(program)
+    assert errors(found)
+    with soon():
+        assert read(write(program), "neza") == program
+
+
+def test_ten_thousand_parentheses_that_never_close() -> None:
+    with soon():
+        found = lint(read("LD %I0.0\n" + "AND( %I0.1\n" * 10_000, "neza"))
+    assert "RDR011" in {one.code for one in found}
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "(" * 10_000 + "I0.0" + ")" * 10_000 + " -> Q0.0",
+        "(" * 150 + "I0.0" + ")" * 150 + " -> Q0.0",
+        "I0.0 -> " + "(I0.1 -> " * 50 + "Q0.0" + ")" * 50,
+        "/" * 10_000 + "I0.0 -> Q0.0",
+        "/(" * 200 + "I0.0" + ")" * 200 + " -> Q0.0",
+        "I0.0 + " * 10_000 + "I0.1 -> Q0.0",
+        "(" * 10_000,
+        "->" * 10_000,
+        "[" * 10_000,
+    ],
+)
+@pytest.mark.parametrize("dashes", ["", "--[ I0.0 ]--"])
+def test_ten_thousand_parentheses_in_a_drawing(line: str, dashes: str) -> None:
+    with soon():
+        is_drawing(dashes + line)
+        ladder, found = read_drawing(dashes + line)
+    assert found
+    assert not ladder.rungs
+
+
+def test_a_drawing_that_is_deep_but_read_can_be_lowered_or_is_refused_in_words() -> None:
+    deep = "I0.0"
+    for number in range(19):
+        deep = f"({deep} · I0.{number % 8} + I1.{number % 8})"
+    ladder, found = read_drawing(f"{deep} -> Q0.0")
+    assert not found
+    for dialect in DIALECTS:
+        with soon():
+            try:
+                text = lower(ladder, dialect)
+            except NotRepresentableError as refused:
+                assert refused.reason.zh
+            else:
+                assert text
+
+
+# Addresses
+
+DIGITS = "1" * 1_000_000
+
+
+@pytest.mark.parametrize("dialect", DIALECTS)
+@pytest.mark.parametrize("area", ["I0.", "I", "X", "%M", "%I0.", "M", "T", "", "Q0.0, "])
+@pytest.mark.parametrize("digits", [DIGITS, "1" * 1_900, "1" * 4_999, "9" * 13, "٣" * 1_000, "²" * 1_000, "1_000", "0" * 1_900 + "1"])
+def test_an_address_of_a_million_digits(dialect: str, area: str, digits: str) -> None:
+    with soon():
+        for mnemonic in ("LD", "S", "OUT", "LDS", "NOP"):
+            found = lint(read(f"{mnemonic} {area}{digits}\n", dialect))
+            assert all(len(one.text.en) < 600 for one in found)
+
+
+def test_a_million_digits_everywhere_else(tmp_path, capsys) -> None:
+    with soon():
+        read_drawing(f"--[ I0.{DIGITS} ]--( Q0.0 )")
+        read_drawing(f"I0.{'1' * 400} -> Q0.0")
+        read_drawing(f"--[ I0.0 ]--(S Q0.0 {'9' * 400} )")
+        read(f"Network {'1' * 1_000}\nLD I0.0\n", "s7-200")
+    (tmp_path / "p.stl").write_text("LD I0.0\n= Q0.0\n", encoding="utf-8")
+    for scans in ([{f"I0.{DIGITS}": 1}], [{"I0.0": int("1" * 4_000)}], f'[{{"ms": {DIGITS}}}]'):
+        text = scans if isinstance(scans, str) else json.dumps(scans)
+        (tmp_path / "s.json").write_text(text, encoding="utf-8")
+        with soon():
+            code = main(["run", str(tmp_path / "p.stl"), "--inputs", str(tmp_path / "s.json"), "--watch", "Q0.0", "--json"])
+        shown = capsys.readouterr()
+        assert code in {0, 2}
+        assert len(shown.err) < 1_000
+
+
+# Markup
+
+
+class Page(HTMLParser):
+    """The elements of a page and what its scripts hold."""
+
+    def __init__(self, text: str) -> None:
+        super().__init__()
+        self.tags: list[str] = []
+        self.scripts: list[str] = []
+        self.handlers: list[str] = []
+        self.feed(text)
+
+    def handle_starttag(self, tag, attrs) -> None:
+        self.tags.append(tag)
+        self.handlers += [name for name, _ in attrs if name.startswith("on")]
+        if tag == "script":
+            self.scripts.append("")
+
+    def handle_data(self, data) -> None:
+        if self.scripts and self.tags[-1] == "script":
+            self.scripts[-1] += data
+
+
+MARKED = f"Network 1 // {SCRIPT}<!--\nLD I0.0 // {SCRIPT} </script> ]]> <img src=x onerror=alert(1)>\n= Q0.0 (* <!-- --> {SCRIPT} *)\n"
+
+
+def test_markup_in_a_comment_stays_text_in_lint(capsys, monkeypatch) -> None:
+    assert lint_json(capsys, monkeypatch, MARKED.encode(), "s7-200", "en") == []
+    (one,) = lint_json(capsys, monkeypatch, f"{SCRIPT}\n".encode(), "s7-200", "zh")
+    assert "script" in str(one["text"])
+
+
+@pytest.mark.parametrize("lang", ["en", "zh"])
+def test_markup_in_a_comment_stays_text_in_the_players_page(lang: str) -> None:
+    shot = film(run(read(MARKED, "s7-200"), [{"I0.0": 1}]).scans)
+    text = player_page(shot, lang)
+    page = Page(text)
+    assert page.tags.count("script") == 2
+    assert "img" not in page.tags
+    assert not page.handlers
+    assert "<!--" not in text
+    kept = json.loads(page.scripts[0])
+    assert SCRIPT in json.dumps(kept)
+    assert kept == shot.data
+
+
+def test_markup_in_a_file_name_stays_text_in_the_players_page(tmp_path, capsys) -> None:
+    path = tmp_path / "<script>alert(1)<&script>.stl"
+    path.write_text("LD I0.0\n= Q0.0\n", encoding="utf-8")
+    assert main(["play", str(path), "--dialect", "s7-200", "-o", str(tmp_path / "page.html")]) == 0
+    assert capsys.readouterr().err == ""
+    assert Page((tmp_path / "page.html").read_text(encoding="utf-8")).tags.count("script") == 2
+
+
+@pytest.mark.parametrize("source", [MARKED, f"{SCRIPT}\n", f"LD {SCRIPT}\n= Q0.0", f"LD I0.0 {SCRIPT}\n= Q0.0"])
+def test_markup_stays_text_in_what_a_saved_notebook_shows(source: str) -> None:
+    bench, desk = Workbench(source, "s7-200"), ExerciseDesk("s7-two-blocks", source)
+    desk.check()
+    marks = grade("s7-two-blocks", source)
+    for shown in (still_of(bench), still_of(desk), marks._repr_html_()):
+        assert SCRIPT not in shown
+        page = Page(shown)
+        assert "script" not in page.tags
+        assert not page.handlers
+    for name, trait in (("report", bench.report), ("report", desk.report), ("verdict", desk.verdict)):
+        assert json.loads(trait), name
+
+
+def still_of(widget) -> str:
+    bundle = widget._repr_mimebundle_()
+    data = bundle[0] if isinstance(bundle, tuple) else bundle
+    return data["text/html"]
+
+
+def test_markup_in_a_drawing_stays_text_in_its_figure() -> None:
+    ladder, found = read_drawing(f"Network 1 // {SCRIPT} & ]]>\n--[ I0.0 ]--( Q0.0 )\n")
+    assert not found
+    for lang in ("en", "zh"):
+        text = svg(ladder_scene(ladder), lang)
+        assert SCRIPT not in text
+        assert not [one for one in ET.fromstring(text).iter() if one.tag.endswith("script")]  # noqa: S314  (our own output)
+
+
+@pytest.mark.parametrize("data", [b"\x00" * 1_000, b"\xff\xfe\x00", os.urandom(4_000), b"PK\x03\x04" + bytes(range(256)), b""])
+def test_any_file_can_be_opened_in_the_workbench(data: bytes) -> None:
+    bench = Workbench("LD I0.0\n= Q0.0", "s7-200")
+    bench._asked(bench, {"type": "open", "name": SCRIPT}, [data])
+    assert isinstance(json.loads(bench.report)["diagnostics"], list)
+    assert SCRIPT not in still_of(bench)
+
+
+# Formulas that grow
+
+
+def test_a_formula_of_2_to_the_40_signs_is_played_at_once() -> None:
+    text = "LD I0.0\n" + "LPS\nOLD\n" * 40 + "= Q0.0\n"
+    with soon():
+        program = read(text, "s7-200")
+        assert run(program, [{"I0.0": 1}])["Q0.0"] == "1"
+        assert all(len(written(cell)) < 20_000 for step in spelled(program) for cell in step.after[0])
+        page = player_page(film(run(program, [{"I0.0": 1}]).scans))
+    assert len(page) < 3_000_000
+
+
+def test_a_long_right_program_is_played_or_refused_soon(capsys, tmp_path) -> None:
+    path = tmp_path / "long.stl"
+    path.write_text(rows("LD I0.0", "A I0.1", "= Q0.0", times=1_500), encoding="utf-8")
+    with soon(4 * HANGS):
+        code = main(["play", str(path), "--dialect", "s7-200", "-o", str(tmp_path / "page.html")])
+    assert code in {0, 1}
+    assert capsys.readouterr().err == ""
+
+
+# Encodings
+
+SPOKEN = "Network 1 // 电动机 启动\nLD I0.0 // 启动按钮\n= Q0.0 // 接触器\n"
+
+
+@pytest.mark.parametrize("dialect", ["s7-200", "gutta"])
+@pytest.mark.parametrize("encoding", ["utf-8", "utf-8-sig", "utf-16", "utf-16-le-bom", "utf-16-be-bom", "gbk"])
+def test_bytes_in_the_usual_encodings_are_read(dialect: str, encoding: str) -> None:
+    data = {
+        "utf-16-le-bom": b"\xff\xfe" + SPOKEN.encode("utf-16-le"),
+        "utf-16-be-bom": b"\xfe\xff" + SPOKEN.encode("utf-16-be"),
+    }.get(encoding) or SPOKEN.encode(encoding)
+    program = read(data, dialect)
+    assert program == read(SPOKEN, dialect)
+    assert [line.comment for line in program.lines] == ["启动按钮", "接触器"]
+    assert program.networks[0].title == "电动机 启动"
+
+
+def test_western_bytes_are_read_and_german_words_survive() -> None:
+    text = "LD E0.0 // läuft für\n= A0.0 // Schütz ä\n"
+    program = read(text.encode("cp1252"), "s7-200")
+    assert [line.text for line in program.lines] == ["LD I0.0", "= Q0.0"]
+    assert not program.diagnostics
+    assert read(text.encode("cp1252"), "s7-200", encoding="cp1252").lines[1].comment == "Schütz ä"
+
+
+BYTES = {
+    "UTF-16 without its mark": SPOKEN.encode("utf-16-le"),
+    "half of a UTF-16 pair": b"\xff\xfe" + SPOKEN.encode("utf-16-le") + b"\x00",
+    "a lone surrogate": b"\xff\xfe" + b"\x00\xd8" + "LD I0.0".encode("utf-16-le"),
+    "half of a GBK sign": SPOKEN.encode("gbk") + b"\x81",
+    "UTF-8 cut short": SPOKEN.encode()[:-2] + b"\xe5\x90",
+    "a program of the machine": Path(sys.executable).read_bytes()[:200_000],
+    "all bytes": bytes(range(256)) * 100,
+    "big5": SPOKEN.replace("动", "動").replace("启", "啟").replace("机", "機").replace("电", "電").replace("钮", "鈕").replace("触", "觸").encode("big5"),
+}
+
+
+@pytest.mark.parametrize("name", BYTES)
+@pytest.mark.parametrize("lang", ["en", "zh"])
+def test_other_bytes_are_answered_and_nothing_stands_on_stderr(capsys, monkeypatch, name: str, lang: str) -> None:
+    with soon():
+        found = lint_json(capsys, monkeypatch, BYTES[name], "s7-200", lang)
+    if name in {"UTF-16 without its mark", "a program of the machine", "all bytes"}:
+        assert any(one["severity"] == "error" for one in found)
+
+
+def test_a_program_of_its_own_with_every_warning_an_error() -> None:
+    for data in (BYTES["all bytes"], NUL["a megabyte of NUL"].encode(), b"LD I0." + DIGITS.encode()):
+        done = subprocess.run(
+            [sys.executable, "-W", "error", "-c", "from plcteach.cli import script; script()", "lint", "-", "--json", "--lang", "zh"],
+            cwd=ROOT,
+            input=data,
+            capture_output=True,
+            timeout=60,
+            check=False,
+            env={**os.environ, "PYTHONIOENCODING": "utf-8"},
+        )
+        assert (done.returncode, done.stderr) == (1, b"")
+        assert json.loads(done.stdout)
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="file names are text there")
+def test_a_folder_with_a_file_name_that_is_no_text(tmp_path) -> None:
+    (Path(os.fsdecode(os.fsencode(tmp_path) + b"/\xff\xfe.stl"))).write_text("LD I0.0\n= Q0.0\n", encoding="utf-8")
+    for more in (["--json"], []):
+        done = subprocess.run(
+            [sys.executable, "-c", "from plcteach.cli import script; script()", "lint", str(tmp_path), *more],
+            cwd=ROOT,
+            capture_output=True,
+            timeout=60,
+            check=False,
+        )
+        assert (done.returncode, done.stderr) == (0, b"")
+
+
+# Garbage of every kind
+
+PIECES = {
+    "s7-200": ["LD", "LDN", "A", "AN", "O", "ON", "=", "S", "R", "NOT", "EU", "ED", "ALD", "OLD", "LPS", "LRD", "LPP", "LDS", "NOP", "LDI", "=I", "U", "ULD"],
+    "fx": ["LD", "LDI", "AND", "ANI", "OR", "ORB", "ANB", "MPS", "MRD", "MPP", "OUT", "SET", "RST", "PLS", "INV", "LDP", "MEP", "END", "NOP"],
+    "neza": ["LD", "LDN", "LDR", "AND", "AND(", "OR(", "AND(N", "OR(R", ")", "N", "XOR", "MPS", "MRD", "MPP", "ST", "STN", "S", "R", "END"],
+    "gutta": ["LD", "LDN", "A", "O", "NOT", "P", "N", "ALD", "OLD", "LPS", "LRD", "LPP", "=", "S", "R"],
+}
+OPERANDS = {
+    "s7-200": ["I0.0", "i0.1", "Q0.0", "M0.0", "E0.0", "A0.0", "T37", "I0.8", "3", "9", "1", "1, 2"],
+    "fx": ["X0", "X010", "x7", "X8", "Y0", "M0", "M8000", "T0", "K10"],
+    "neza": ["%I0.0", "%I0.1", "%Q0.0", "%M0", "0", "1", "%S13", "I0.0", "%M0)"],
+    "gutta": ["I0.0", "Q0.0", "M0.0", "SM0.0", "Q0.0, 2", "M0.1"],
+}
+LAYOUT = [
+    "\n", "\n", "\n", "; ", " ", "\t", "\r\n", "\r", " // ", "//", "(*", "*)", ";", "；", "／／", "（＊", "\nNetwork 1\n", "\nNETWORK 2 // title\n",
+    "\nRUNG 0 (* x *)\n", "\n网络 1：启动\n", "\nNetwork 1 (* /x *)\n", "\nNetwork 3 (* (* y *) *)\n", "\nNetwork // : z\n", "\nBEGIN\n", "\nTITLE=a\n",
+    "\nVAR\n", "\nEND_VAR\n", "\n### BEGIN SOLUTION\n", "0 ", "12: ", "　", "，", "\x00", "\x0b", "\x0c", "\x85", "\u2028", "\ufeff", "😀", "/", ":",
+]  # fmt: skip
+
+
+def texts(dialect: str) -> st.SearchStrategy[str]:
+    family = dialect.removesuffix("-smart")
+    known = st.builds("{} {}".format, st.sampled_from(PIECES[family]), st.sampled_from(["", *OPERANDS[family]]))
+    part = known | known | st.sampled_from(LAYOUT) | st.sampled_from(PIECES[family] + OPERANDS[family]) | st.text(max_size=6)
+    lines = st.lists(known, max_size=25).map("\n".join)
+    return st.text(max_size=200) | st.lists(part, max_size=40).map("".join) | lines
+
+
+FUZZ = settings(max_examples=250, deadline=None, suppress_health_check=[HealthCheck.too_slow, HealthCheck.data_too_large])
+
+
+@pytest.mark.parametrize("dialect", DIALECTS)
+def test_garbage_is_read_and_what_was_read_is_written_and_read_again_equal(dialect: str) -> None:
+    @FUZZ
+    @given(texts(dialect))
+    def holds(text: str) -> None:
+        program = read(text, dialect)
+        assert read(write(program), dialect) == program
+        given_rows = text.split("\n")
+        for one in lint(program):
+            assert one.text.zh
+            assert one.text.en
+            assert 0 <= one.span.row <= len(given_rows) + 1
+            if 0 < one.span.row <= len(given_rows):
+                assert 0 <= one.span.start <= one.span.stop <= len(given_rows[one.span.row - 1])
+
+    holds()
+
+
+@pytest.mark.parametrize("dialect", DIALECTS)
+def test_what_has_no_error_runs_and_is_played(dialect: str) -> None:
+    @FUZZ
+    @given(texts(dialect))
+    def holds(text: str) -> None:
+        program = read(text, dialect)
+        trap = errors(lint(program)) if program.dialect.traps else errors(program.diagnostics)
+        if not trap and program.lines:
+            ones = {address.text: 1 for address in program.addresses("input")}
+            trace = run(program, [{}, ones, {}])
+            assert len(trace.scans) == 3
+            assert film(trace.scans[:1]).json
+            if program.dialect.traps:
+                assert not trace.diagnostics
+
+    holds()
+
+
+@pytest.mark.parametrize("dialect", ["s7-200", "fx", "neza", "gutta"])
+def test_two_pieces_of_garbage_can_be_compared(dialect: str) -> None:
+    @settings(FUZZ, max_examples=80)
+    @given(texts(dialect), texts(dialect))
+    def holds(one: str, other: str) -> None:
+        programs = read(one, dialect), read(other, dialect)
+        if all(program.lines and not errors(lint(program)) for program in programs):
+            assert verdict_on(*programs).status in {"equal", "different", "unknown", "unsettled"}
+            assert verdict_on(programs[0], programs[0]).status == "equal"
+
+    holds()
+
+
+@FUZZ
+@given(st.binary(max_size=200))
+def test_any_bytes_are_text_to_us(data: bytes) -> None:
+    assert isinstance(decode(data), str)
+    for dialect in ("s7-200", "neza"):
+        assert read(write(read(data, dialect)), dialect) == read(data, dialect)
+
+
+@FUZZ
+@given(texts("s7-200"))
+def test_garbage_can_be_judged(text: str) -> None:
+    judgement = judge("s7-two-blocks", text)
+    assert 0 <= judgement.marks <= judgement.exercise.points
+
+
+SIGNS = ["--", "-", "+", "|", "[ I0.0 ]", "[/I0.1]", "[P I0.0]", "[NOT]", "( Q0.0 )", "(S Q0.0 3)", "{TON}", " ", "  ", "\n", "\n\n", "->", "→", "·", "(", ")", "/",
+         "I0.0", "Q0.0", ",", "S ", "// x\n", "Network 1\n", "［", "─", "┬", "灯", "\x00", "(*", "NOT", "P "]  # fmt: skip
+
+
+@FUZZ
+@given(st.text(max_size=120) | st.lists(st.sampled_from(SIGNS), max_size=40).map("".join))
+def test_a_garbled_drawing_is_read_and_lowered_or_refused_in_words(text: str) -> None:
+    is_drawing(text)
+    ladder, found = read_drawing(text)
+    assert found or ladder.rungs
+    for one in found:
+        assert 0 <= one.span.row <= len(text.split("\n")) + 1
+    if ladder.rungs:
+        for dialect in DIALECTS:
+            try:
+                list_of = lower(ladder, dialect)
+            except NotRepresentableError as refused:
+                assert refused.reason.zh
+                assert refused.reason.en
+            else:
+                assert list_of
