@@ -16,7 +16,7 @@ from typing import Any
 _WORDS = {
     "read": "stl",
     "write": "stl",
-    "run": "machine",
+    "run": "figure.verbs",
     "lint": "check",
     "compare": "check",
     "judge": "check",
@@ -25,7 +25,7 @@ _WORDS = {
     "illustrate": "figure.verbs",
     "strip": "figure.verbs",
     "draw": "figure.verbs",
-    "explain": "figure.card",
+    "explain": "check.manual",
     "play": "widgets.verbs",
     "bench": "widgets.verbs",
     "desk": "widgets.verbs",

@@ -66,6 +66,9 @@ def reference(text: str, dialect: str | Dialect) -> Program:
     if wrong:
         msg = f"the reference has an error itself: {wrong[0]}"
         raise PlcTeachError(msg)
+    if not any(line.insn.then and line.bits for line in program.lines):
+        msg = "the reference writes no output, so there is nothing to compare"
+        raise PlcTeachError(msg)
     return program
 
 

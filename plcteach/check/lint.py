@@ -2,20 +2,47 @@
 
 from __future__ import annotations
 
+from html import escape
 from typing import TYPE_CHECKING
 
 from plcteach.check.rules import PROGRAM_RULES, STACK_RULES
 from plcteach.core.diagnostic import Diagnostic, errors
+from plcteach.core.text import Text, language
 from plcteach.machine.walk import Walk, walks
+from plcteach.stl import read
 
 if TYPE_CHECKING:
     from plcteach.core.program import Program
+    from plcteach.core.spec import Dialect
 
 _BELOW_ALL = 10**9
 
 
-def lint(program: Program) -> tuple[Diagnostic, ...]:
+class Findings(tuple[Diagnostic, ...]):
+    """All that was found, in order of place; in a notebook a table in the language in force."""
+
+    __slots__ = ()
+
+    def __repr__(self) -> str:
+        return "\n".join(map(repr, self)) or NOTHING_FOUND.in_(language())
+
+    def _repr_html_(self) -> str:
+        if not self:
+            return f"<p>{NOTHING_FOUND.in_(language())}</p>"
+        rows = "".join(
+            f"<tr><td>{one.span.row}</td><td><code>{one.code}</code></td><td>{escape(one.text.in_(language()))}</td></tr>"
+            for one in self
+        )
+        return f"<table>{rows}</table>"
+
+
+NOTHING_FOUND = Text("没有发现问题。", "Nothing to remark.")
+
+
+def lint(program: Program | str, dialect: str | Dialect | None = None) -> Findings:
     """Give all findings in order of place; a network with an unreadable line is not judged by its stack."""
+    if isinstance(program, str):
+        program = read(program, dialect)
     found = list(program.diagnostics)
     found += [one for row, finder in PROGRAM_RULES.values() for one in finder(program, row)]
     unread = {one.span.row for one in errors(program.diagnostics)}
@@ -24,7 +51,7 @@ def lint(program: Program) -> tuple[Diagnostic, ...]:
     for walk, start, end in zip(judged, starts, starts[1:], strict=False):
         if not any(start <= row < end for row in unread):
             found += _of_network(walk)
-    return tuple(sorted(found, key=lambda one: (one.span.row, one.span.start, one.code)))
+    return Findings(sorted(found, key=lambda one: (one.span.row, one.span.start, one.code)))
 
 
 def _of_network(walk: Walk) -> list[Diagnostic]:

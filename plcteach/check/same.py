@@ -151,12 +151,11 @@ def compare(reference: Program, student: Program, *, outputs: Iterable[str] = ()
         return Verdict("equal", "structural", outputs=dict.fromkeys(pair.outputs, "equal"), diagnostics=_beside(pair))
     if max(len(reference.lines), len(student.lines)) > MOST_INSTRUCTIONS or len(pair.inputs) > MOST_VARIABLES:
         return Verdict("unknown", outputs=dict.fromkeys(pair.outputs, "unknown"), diagnostics=_beside(pair))
-    agreed, after, found = _first_scan(pair)
-    if found is None:
-        agreed, proved = _induction(pair, after)
-        if proved:
-            proof = "induction" if pair.state else "table"
-            return Verdict("equal", proof, None, dict.fromkeys(pair.outputs, "equal"), _beside(pair), 1)  # type: ignore[arg-type]
+    at_first, after = _first_scan(pair)
+    agreed = at_first & _induction(pair, after)
+    if len(agreed) == len(pair.outputs):
+        proof = "induction" if pair.state else "table"
+        return Verdict("equal", proof, None, dict.fromkeys(pair.outputs, "equal"), _beside(pair), 1)  # type: ignore[arg-type]
     return _search(pair, agreed)
 
 
@@ -201,14 +200,12 @@ def _beside(pair: _Pair) -> tuple[Diagnostic, ...]:
     return tuple(extra + missing)
 
 
-def _first_scan(pair: _Pair) -> tuple[set[str], dict[tuple[int, Key], Column], int | None]:
-    """Run the first scan from power-on over all inputs: the outputs that agree, the state after, a case that differs."""
+def _first_scan(pair: _Pair) -> tuple[set[str], dict[tuple[int, Key], Column]]:
+    """Run the first scan from power-on over all inputs: the outputs that agree in it, and the state after."""
     rows = Rows(len(pair.inputs))
     inputs = {address: rows.variable(number) for number, address in enumerate(pair.inputs)}
     differ, after = pair.scan(inputs, {}, rows, first=True)
-    agreed = {address for address, cases in differ.items() if not cases}
-    anywhere = _either(differ.values())
-    return agreed, after, _simplest(anywhere) if anywhere else None
+    return {address for address, cases in differ.items() if not cases}, after
 
 
 def _either(columns: Iterable[int]) -> int:
@@ -233,21 +230,20 @@ def _simplest(cases: int) -> int:
     return best
 
 
-def _induction(pair: _Pair, after: dict[tuple[int, Key], Column]) -> tuple[set[str], bool]:
-    """Find the remembered bits that always agree, and say which outputs then agree in every later scan."""
+def _induction(pair: _Pair, after: dict[tuple[int, Key], Column]) -> set[str]:
+    """Find the remembered bits that always agree, and give the outputs that then agree in every later scan."""
     classes = _classes(dict.fromkeys(pair.state, 0), after)
     while True:
         count = len(set(classes.values()))
         if len(pair.inputs) + count > MOST_VARIABLES:
-            return set(), False
+            return set()
         rows = Rows(len(pair.inputs) + count)
         inputs = {address: rows.variable(number) for number, address in enumerate(pair.inputs)}
         state = {key: rows.variable(len(pair.inputs) + number) for key, number in classes.items()}
         differ, then = pair.scan(inputs, state, rows, first=False)
         split = _classes(classes, then)
         if len(set(split.values())) == count:
-            agreed = {address for address, cases in differ.items() if not cases}
-            return agreed, len(agreed) == len(pair.outputs)
+            return {address for address, cases in differ.items() if not cases}
         classes = split
 
 

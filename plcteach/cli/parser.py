@@ -52,7 +52,14 @@ def _judging_verbs(verbs: Any, reading: argparse.ArgumentParser) -> None:
         verbs, "check", verbs_of.check_verb, [reading], "compare a program with a reference, by proof or counterexample"
     )
     one.add_argument("student", help="the program to judge; - for standard input")
-    one.add_argument("--reference", required=True, help="a program or a ladder drawing")
+    one.add_argument("--reference", help="a program or a ladder drawing (default: the exercise's own)")
+    one.add_argument("--exercise", help="judge by this exercise: its family and its ladder")
+    one.add_argument(
+        "--level",
+        choices=["exact", "settled", "either"],
+        default="either",
+        help="what equal means (verdicts here are exact)",
+    )
     one.add_argument("--json", action="store_true", help="print JSON only")
 
 

@@ -46,7 +46,7 @@ def scans_of(name: str | None) -> list[dict[str, Any]]:
         return [{}]
     try:
         rows = json.loads(_content(name))
-    except ValueError as trouble:
+    except (ValueError, RecursionError) as trouble:
         msg = f"{name}: not JSON ({trouble})"
         raise CallError(msg) from None
     if not isinstance(rows, list) or not all(isinstance(row, dict) for row in rows):

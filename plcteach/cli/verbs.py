@@ -20,6 +20,7 @@ from plcteach.cli.reading import CallError, program_of, scans_of, text_of, watch
 from plcteach.core.diagnostic import errors
 from plcteach.core.text import language, same
 from plcteach.dialects import dialect as find_dialect
+from plcteach.exercises import exercise
 from plcteach.machine import run
 
 if TYPE_CHECKING:
@@ -62,7 +63,7 @@ def lint_verb(options: argparse.Namespace) -> int:
     else:
         print_findings(found, program)
         if not found:
-            print(say("没有发现问题。", "Nothing to remark."))
+            print(found)
     return WRONG if errors(found) else RIGHT
 
 
@@ -79,8 +80,15 @@ def _lint_folder(folder: Path, options: argparse.Namespace) -> int:
 
 def check_verb(options: argparse.Namespace) -> int:
     """Compare a submission with a reference."""
+    drawing = ""
+    if options.exercise:
+        task = exercise(options.exercise)
+        options.dialect, drawing = task.dialect, task.reference
+    if not options.reference and not drawing:
+        msg = "check wants --reference FILE or --exercise ID"
+        raise CallError(msg)
     student = program_of(options.student, options)
-    wanted = reference(text_of(options.reference, options), options.dialect)
+    wanted = reference(text_of(options.reference, options) if options.reference else drawing, options.dialect)
     verdict = verdict_on(wanted, student)
     if options.json:
         print_json(verdict_json(verdict))
@@ -99,7 +107,7 @@ def figure_verb(options: argparse.Namespace) -> int:
     if options.output is None:
         print(svg(scene, language()))
     elif options.output.suffix == ".svg":
-        options.output.writetext_of(svg(scene, language()), encoding="utf-8")
+        options.output.write_text(svg(scene, language()), encoding="utf-8")
     else:
         _ink(scene, options.output)
     return RIGHT
@@ -116,7 +124,7 @@ def _ink(scene: Any, path: Path) -> None:
 
 def explain_verb(options: argparse.Namespace) -> int:
     """Print a card or a rule's page."""
-    from plcteach.figure.card import explain
+    from plcteach.check.manual import explain
 
     print(explain(" ".join(options.word), options.dialect))
     return RIGHT
@@ -134,7 +142,7 @@ def play_verb(options: argparse.Namespace) -> int:
         return WRONG
     name = Path(options.file).name if options.file != "-" else ""
     shot = film(run(program, scans_of(options.inputs)).scans, same(name) if name else None)
-    options.output.writetext_of(player_page(shot), encoding="utf-8")
+    options.output.write_text(player_page(shot), encoding="utf-8")
     print(options.output)
     return RIGHT
 

@@ -88,4 +88,4 @@ class Kind:
 
 def kind(areas: str, *, zh: str, en: str) -> Kind:
     """Declare a kind of operand by the letters of its areas."""
-    return Kind(frozenset(areas.split()), Text(zh, en))
+    return Kind(frozenset(areas.split(" ")), Text(zh, en))

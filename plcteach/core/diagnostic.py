@@ -10,7 +10,7 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Literal
 
 from plcteach.core.errors import UnknownNameError
-from plcteach.core.text import NOTHING, Text
+from plcteach.core.text import NOTHING, Text, language
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -62,7 +62,7 @@ class Diagnostic:
     fix: Text = NOTHING
 
     def __repr__(self) -> str:
-        return f"{self.severity} {self.code} at {self.span}: {self.text.en}"
+        return f"{self.severity} {self.code} at {self.span}: {self.text.in_(language())}"
 
     @property
     def why(self) -> Text:
@@ -256,6 +256,19 @@ _ROWS = (
         Text(
             "程序文本里不会有控制字符；多半是把别的文件当成了程序。",
             "A program's text has no control characters; most likely another kind of file was opened.",
+        ),
+    ),
+    Rule(
+        "RDR015",
+        "variables-open",
+        "error",
+        Text(
+            "从这里开始的变量表一直没有END_VAR；它后面的程序都没有读到。",
+            "The table of variables that begins here has no END_VAR; nothing after it was read.",
+        ),
+        Text(
+            "变量表里的行不是指令，要用END_VAR说明它到哪里为止。",
+            "The rows of a table of variables are no instructions; END_VAR says where the program goes on.",
         ),
     ),
     # STK: the stack, whatever the values

@@ -70,7 +70,17 @@ def parse_effect(text: str) -> Effect:
         clauses.append(_clause(words))
     if words.peek():
         words.take("the end")
+    _refuse_twice(text, [clause.stack for clause in clauses], "stack")
+    _refuse_twice(text, [take.name for clause in clauses for take in clause.takes], "cell")
     return Effect(tuple(clauses), text)
+
+
+def _refuse_twice(text: str, names: list[str], what: str) -> None:
+    """Refuse a second clause for a stack, and a cell taken twice."""
+    for name in names:
+        if names.count(name) > 1:
+            msg = f"effect {text!r}: the {what} {name or 'main'!r} stands there twice"
+            raise DeclarationError(msg)
 
 
 @lru_cache(maxsize=1024)

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Literal
 
 from plcteach.core.area import LONGEST, Address, Area, Kind
 from plcteach.core.diagnostic import RULES
-from plcteach.core.effect import Effect, Formula, Shape, names
+from plcteach.core.effect import At, Effect, Formula, Shape, names
 from plcteach.core.errors import DeclarationError, UnknownNameError
 from plcteach.core.notation import parse_effect, parse_formula
 from plcteach.core.text import NOTHING, Text
@@ -137,6 +137,17 @@ def insn(
         taken = {take.name for clause in row.effect.clauses for take in clause.takes}
         used = names(verb.formula) - taken if verb.formula else frozenset()
         wanted |= used | ({verb.target} if verb.formula else set()) | ({verb.count} if verb.count else set())
+    counted = {
+        give.formula.n
+        for one in row.effects
+        for clause in one.clauses
+        for give in clause.gives
+        if isinstance(give.formula, At)
+    }
+    for operand in row.operands:
+        if operand.name in counted and not operand.number:
+            msg = f"{mnemonic}: [{operand.name}] counts cells, so {operand.name} wants a range of numbers"
+            raise DeclarationError(msg)
     if wanted - declared:
         msg = f"{mnemonic}: {', '.join(sorted(wanted - declared))} stands in no stack and is no operand"
         raise DeclarationError(msg)
@@ -234,22 +245,28 @@ class Dialect:
     def __post_init__(self) -> None:
         """Refuse a table that contradicts itself."""
         shapes = {stack.name for stack in self.stacks}
+        areas = {area.prefix for area in self.areas}
         for row in self.insns:
             for effect in row.effects:
-                if {clause.stack for clause in effect.clauses} - shapes:
-                    self._refuse(f"{row.mnemonic} uses a stack that is not declared")
-            if {one.kind for one in row.operands if one.kind} - set(self.kinds):
-                self._refuse(f"{row.mnemonic} has an operand kind that is not declared")
-        if set(self.roles.values()) - set(self.words):
-            self._refuse("a role names an instruction that is not declared")
-        if len(self.words) != len(self.insns):
-            self._refuse("an instruction is declared twice")
-        if any(sample.code not in RULES for sample in self.samples):
-            self._refuse("a sample names a diagnostic that is not declared")
+                self._refuse(
+                    {clause.stack for clause in effect.clauses} - shapes,
+                    f"{row.mnemonic} uses a stack that is not declared",
+                )
+            kinds = {one.kind for one in row.operands if one.kind}
+            self._refuse(kinds - set(self.kinds), f"{row.mnemonic} has an operand kind that is not declared")
+        for name, one in self.kinds.items():
+            self._refuse(set(one.areas) - areas, f"the kind {name} lies in an area that is not declared")
+        self._refuse(set(self.roles.values()) - set(self.words), "a role names an instruction that is not declared")
+        mnemonics = [row.mnemonic for row in self.insns]
+        self._refuse({one for one in mnemonics if mnemonics.count(one) > 1}, "an instruction is declared twice")
+        self._refuse(
+            {sample.code for sample in self.samples} - set(RULES), "a sample names a diagnostic that is not declared"
+        )
 
-    def _refuse(self, reason: str) -> None:
-        msg = f"dialect {self.name}: {reason}"
-        raise DeclarationError(msg)
+    def _refuse(self, culprits: set[str], reason: str) -> None:
+        if culprits:
+            msg = f"dialect {self.name}: {reason}: {', '.join(repr(one) for one in sorted(culprits))}"
+            raise DeclarationError(msg)
 
     def __repr__(self) -> str:
         return f"Dialect({self.name!r}, {len(self.insns)} instructions)"

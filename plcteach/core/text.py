@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import os
+from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable
+    from collections.abc import Iterable, Iterator
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,10 +59,25 @@ def joined(parts: Iterable[Text], zh: str = "", en: str = " ") -> Text:
 _chosen: list[str] = []
 
 
+@contextmanager
+def speaking(lang: str | None) -> Iterator[None]:
+    """Speak a language for a while (None: the one in force), and then the one before again."""
+    before = list(_chosen)
+    if lang:
+        language(lang)
+    try:
+        yield
+    finally:
+        _chosen[:] = before
+
+
+_ASKED = ("PLCTEACH_LANG", "LC_ALL", "LC_MESSAGES", "LANG")
+
+
 def language(lang: str | None = None) -> str:
     """Choose the language of everything shown from now on ("zh" or "en"), and give the one in force.
 
-    Without a choice it is the environment's: Chinese where PLCTEACH_LANG or LANG begins with "zh", else English.
+    Without a choice it is the environment's: Chinese where PLCTEACH_LANG, else the locale, begins with "zh", else English.
     """
     if lang is not None:
         if lang not in {"zh", "en"}:
@@ -70,5 +86,5 @@ def language(lang: str | None = None) -> str:
         _chosen[:] = [lang]
     if _chosen:
         return _chosen[0]
-    wanted = os.environ.get("PLCTEACH_LANG") or os.environ.get("LC_ALL") or os.environ.get("LANG") or ""
+    wanted = next((os.environ[name] for name in _ASKED if os.environ.get(name)), "")
     return "zh" if wanted.lower().startswith("zh") else "en"

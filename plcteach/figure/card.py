@@ -1,4 +1,4 @@
-"""A card for one instruction or one diagnostic: what a learner looks up, as text and as HTML."""
+"""A card for one instruction: what a learner looks up of it, as text and as HTML."""
 
 from __future__ import annotations
 
@@ -6,12 +6,8 @@ from dataclasses import dataclass
 from html import escape
 from typing import TYPE_CHECKING
 
-from plcteach.core.diagnostic import RULES, Rule
-from plcteach.core.diagnostic import rule as find_rule
-from plcteach.core.errors import UnknownNameError
+from plcteach.core.spec import coil
 from plcteach.core.text import Text, language, same
-from plcteach.dialects import dialect as find_dialect
-from plcteach.dialects import families
 from plcteach.figure.illustration import illustration
 from plcteach.figure.ladder import ladder_scene
 from plcteach.figure.says import describes
@@ -23,12 +19,9 @@ from plcteach.machine.scan import run
 from plcteach.stl import read
 
 if TYPE_CHECKING:
-    from plcteach.core.spec import Dialect, Insn, Sample
+    from plcteach.core.spec import Dialect, Insn
     from plcteach.figure.scene import Scene
 
-_BAD = Text("这样会触发它", "This triggers it")
-_GOOD = Text("这样就没有问题", "This does not")
-_WHY = Text("为什么", "Why")
 _BEFORE = Text("执行前", "before")
 _AFTER = Text("执行后", "after")
 _FORM = Text("格式", "form")
@@ -41,13 +34,15 @@ _CLASSES = {
     "stack": Text("堆栈指令", "stack instruction"),
     "other": Text("其他指令", "other instruction"),
 }
+_BRANCHES = "{a} -> ({b} -> {q}), ({c} -> {r}), ({d} -> {s})"
 _SYMBOLS = {
-    "load": "--[ {a} ]--", "series": "--[ {b} ]--[ {a} ]--", "parallel": "--[ {b} ]--+--\n--[ {a} ]--+",
-    "load_not": "--[/{a} ]--", "series_not": "--[ {b} ]--[/{a} ]--", "parallel_not": "--[ {b} ]--+--\n--[/{a} ]--+",
-    "invert": "--[ {b} ]--[NOT]--", "coil": "--[ {a} ]--", "set": "--[ {a} ]--", "reset": "--[ {a} ]--",
-    "join_series": "--[ {a} ]--+--[ {b} ]--+--\n--[ {c} ]--+--[ {d} ]--+",
-    "join_parallel": "--[ {a} ]--[ {b} ]--+--\n--[ {c} ]--[ {d} ]--+",
+    "join_series": "({a} + {b}) * ({c} + {d}) -> {q}", "join_parallel": "{a} * {b} + {c} * {d} -> {q}",
+    "invert": "{b} * NOT -> {q}", "coil": "{a} -> {q}", "set": "{a} -> S {q}", "reset": "{a} -> R {q}",
+    "push": _BRANCHES, "read": _BRANCHES, "pop": _BRANCHES,
 }  # fmt: skip
+_MARKS = {"bit": "", "!bit": "/", "rise(bit)": "P ", "fall(bit)": "N ", "!a": "/ "}
+_PLACES = {"-- ": "{m}{a} -> {q}", "a&": "{b} * {m}{a} -> {q}", "a|": "{b} + {m}{a} -> {q}"}
+_BLOCKS = {"&": "{b} * ({m}{a} + {c}) -> {q}", "|": "{b} + {m}{a} * {c} -> {q}"}
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,7 +61,7 @@ class Card:
     @property
     def kind(self) -> Text:
         """Whether it is a contact, a coil or a stack instruction."""
-        if any(verb.formula for verb in self.insn.then):
+        if any(verb.formula and verb.target in {"out", "direct"} for verb in self.insn.then):
             return _CLASSES["coil"]
         if self.insn.operands and not self.insn.operands[0].number:
             return _CLASSES["contact"]
@@ -95,18 +90,32 @@ class Card:
 
     def symbol(self) -> Scene | None:
         """Draw what the instruction is in a ladder; stack instructions are wires there, so they show what they join."""
-        role = self.dialect.parts.get(self.insn.mnemonic, "")
-        drawing = _SYMBOLS.get(role)
-        if not drawing:
+        line = self._drawing()
+        if not line:
             return None
-        area = next(area for area in self.dialect.areas if area.role == "input")
-        coil = next(area for area in self.dialect.areas if area.role == "output").first
-        letters = {letter: area.address(place).text for place, letter in enumerate("abcd")}
-        rows = drawing.format(**letters).split("\n")
-        sign = {"set": "S ", "reset": "R "}.get(role, "")
-        rows[0] += f"( {sign}{coil} )".replace("( S", "(S").replace("( R", "(R")
-        ladder, found = read_drawing("\n".join(rows))
+        letters = {letter: self._bit("input", place) for place, letter in enumerate("abcd")}
+        coils = {letter: self._bit("output", place) for place, letter in enumerate("qrs")}
+        ladder, found = read_drawing(line.format(**letters, **coils))
         return None if found else ladder_scene(ladder)
+
+    def _bit(self, role: str, place: int) -> str:
+        area = next(area for area in self.dialect.areas if area.role == role)
+        return area.address(place).text
+
+    def _drawing(self) -> str:
+        """Find the one-line ladder that shows this instruction: by its part in a ladder, or by what its effect does."""
+        formula = self.insn.effect.text.partition("-- ")[2].partition(" ;")[0].split(".L ")[-1]
+        sign = self.insn.close.text.partition("-- ")[2][1] if self.insn.close else ""
+        if sign and formula in _MARKS:
+            return _BLOCKS[sign].replace("{m}", _MARKS[formula])
+        for verb in self.insn.then:
+            if verb == coil("!a"):
+                return "{a} -> / {q}"
+        for start, drawing in _PLACES.items():
+            mark = _MARKS.get(formula.removeprefix(start))
+            if mark is not None and (formula.startswith(start) or start == "-- ") and self.insn.operands:
+                return drawing.replace("{m}", mark)
+        return _SYMBOLS.get(self.dialect.parts.get(self.insn.mnemonic, ""), "")
 
     def example(self) -> Scene:
         """Draw the example's stack, line by line, with inputs that all are 1."""
@@ -137,72 +146,3 @@ class Card:
             f"<small>{escape(self.dialect.title.in_(lang))}, {escape(self.kind.in_(lang))}</small></h4>"
             f"<p>{escape(describes(self.dialect, self.insn).in_(lang))}</p><table>{facts}</table>{figures}"
         )
-
-
-@dataclass(frozen=True, slots=True)
-class RulePage:
-    """What there is to know of one diagnostic, with a program that triggers it and the mended one, family by family."""
-
-    rule: Rule
-    samples: tuple[tuple[Dialect, Sample], ...]
-
-    def __repr__(self) -> str:
-        return self.text(language())
-
-    def _repr_html_(self) -> str:
-        return f"<pre>{escape(self.text(language()))}</pre>"
-
-    def text(self, lang: str) -> str:
-        """Give the page as lines of text."""
-        rows = [f"{self.rule.code}  {self.rule.name}  ({self.rule.severity})", "", self.rule.says.in_(lang), ""]
-        rows += [f"{_WHY.in_(lang)}: {self.rule.why.in_(lang)}"]
-        for dialect, sample in self.samples:
-            rows += ["", f"[{dialect.title.in_(lang)}] {_BAD.in_(lang)}:", *_indented(sample.bad)]
-            rows += [f"{_GOOD.in_(lang)}:", *_indented(sample.good)]
-        return "\n".join(rows)
-
-
-def _indented(program: str) -> list[str]:
-    return [
-        f"    {row.strip()!r}"[1:-1].replace("'", "") if "\x00" in row else f"    {row.strip()}"
-        for row in program.replace(";", "\n").split("\n")
-    ]
-
-
-@dataclass(frozen=True, slots=True)
-class RuleTable:
-    """All diagnostics in one table, printed from the rules themselves."""
-
-    def __repr__(self) -> str:
-        lang = language()
-        return "\n".join(f"{row.code}  {row.severity:8} {row.name:24} {row.says.in_(lang)}" for row in RULES.values())
-
-    def _repr_html_(self) -> str:
-        lang = language()
-        body = "".join(
-            f"<tr><td><code>{row.code}</code></td><td>{row.severity}</td><td>{escape(row.says.in_(lang))}</td></tr>"
-            for row in RULES.values()
-        )
-        return f"<table>{body}</table>"
-
-
-def explain(word: str = "", dialect: str | Dialect | None = None) -> Card | RulePage | RuleTable:
-    """Explain an instruction (`OLD`), a diagnostic (`STK001`), or with no word list all diagnostics.
-
-    Without a dialect the first family that has the instruction answers. UnknownNameError suggests the nearest name.
-    """
-    if not word:
-        return RuleTable()
-    if word.upper() in RULES:
-        code = word.upper()
-        mine = [find_dialect(dialect)] if dialect else families()
-        samples = tuple((one, sample) for one in mine for sample in one.samples if sample.code == code)
-        return RulePage(find_rule(code), samples)
-    if dialect:
-        family = find_dialect(dialect)
-        return Card(family, family.insn(word))
-    for family in families():
-        if word.upper() in family.words:
-            return Card(family, family.words[word.upper()])
-    kind = "instruction or diagnostic"
-    raise UnknownNameError(kind, word, [*RULES, *(name for family in families() for name in family.words)])

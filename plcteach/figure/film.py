@@ -69,6 +69,12 @@ def film(scans: Iterable[Scan[Column]], title: Text | None = None) -> Film:
     return Film(maker.data(title or program.dialect.title))
 
 
+_LEFT = Text(
+    "本{unit}到此结束，堆栈里还剩{count}没有用过的值。",
+    "The {unit} ends here with {count} unused value(s) still on the stack.",
+)
+
+
 @dataclass(slots=True)
 class _Maker:
     """Collects the steps of one film, with the keys of the cells that stand now."""
@@ -82,11 +88,16 @@ class _Maker:
     made: int = 0
     formulas: tuple[Step[Term], ...] = ()
     moves: tuple[Move, ...] = ()
+    residues: dict[int, Text] = field(default_factory=dict)
     heights: list[int] = field(default_factory=list)
 
     def __post_init__(self) -> None:
         self.formulas = spelled(self.program)
-        self.moves = tuple(move for walk in walks(self.program) for move in walk.moves)
+        for walk in walks(self.program):
+            self.moves += walk.moves
+            if walk.leftover:
+                count = Text(f"{len(walk.leftover)}个", f"{len(walk.leftover)}")
+                self.residues[len(self.moves) - 1] = _LEFT.format(unit=self.dialect.unit, count=count)
         self.heights = [0] * len(self.program.dialect.stacks)
 
     def scan(self, scan: Scan[Column]) -> None:
@@ -231,6 +242,8 @@ class _Maker:
         for address, value in step.written:
             if value.unknown:
                 return rule("RUN001").says.format(address=address.text)
+        if number in self.residues:
+            return self.residues[number]
         if self.moves[number].lost:
             return Text(
                 "最下面一层还没有用过的值被推出栈底，丢失了。",

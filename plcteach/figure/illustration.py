@@ -85,6 +85,9 @@ def example(dialect: Dialect, words: str, number: int | None = None) -> Line:
 def _usual(dialect: Dialect, row: Insn, operand: Operand, number: int | None) -> Arg:
     if operand.number:
         usual = _USUAL_N if "[" in row.effect.text else operand.first
+        if number is not None and not operand.first <= number <= operand.last:
+            kind = f"operand of {row.mnemonic}"
+            raise UnknownNameError(kind, str(number), (f"{operand.first} to {operand.last}",))
         return min(max(usual if number is None else number, operand.first), operand.last)
     writes = operand.name in {verb.target for verb in row.then}
     reads = operand.name in row.effect.operands

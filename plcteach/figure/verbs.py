@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from html import escape
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from plcteach.core.diagnostic import errors
 from plcteach.core.errors import PlcTeachError
@@ -18,7 +18,8 @@ from plcteach.figure.strip import strip as strip_scene
 from plcteach.figure.svg import Figure
 from plcteach.ladder import is_drawing, lower, read_drawing
 from plcteach.machine.rows import Rows
-from plcteach.machine.scan import Memory, run, sweep
+from plcteach.machine.scan import SCAN_MS, Memory, Trace, sweep
+from plcteach.machine.scan import run as run_program
 from plcteach.stl import read
 
 if TYPE_CHECKING:
@@ -26,6 +27,7 @@ if TYPE_CHECKING:
 
     from plcteach.core.program import Program
     from plcteach.core.spec import Dialect
+    from plcteach.machine.signals import Column
 
 MOST_TABLE_INPUTS = 6
 
@@ -49,6 +51,17 @@ def program_of(text: str | Program, dialect: str | Dialect | None = None) -> Pro
     raise PlcTeachError(msg)
 
 
+def run(
+    text: str | Program,
+    scans: Iterable[Mapping[str, Any]] | int = 1,
+    dialect: str | Dialect | None = None,
+    *,
+    scan_ms: int = SCAN_MS,
+) -> Trace[Column]:
+    """Run a list (or a drawing, or a Program) over scans of inputs; see `plcteach.machine.run`."""
+    return run_program(program_of(text, dialect), scans, scan_ms=scan_ms)
+
+
 def illustrate(word: str, dialect: str | Dialect | None = None) -> Figure:
     """Draw the before/after figure of an instruction: `illustrate("OLD")`, `illustrate("LDS 3")`."""
     mnemonic, _, number = word.strip().partition(" ")
@@ -59,7 +72,7 @@ def illustrate(word: str, dialect: str | Dialect | None = None) -> Figure:
 def strip(text: str | Program, dialect: str | Dialect | None = None, inputs: Mapping[str, int] | None = None) -> Figure:
     """Draw a whole program in one row: each instruction above the stack that it leaves."""
     program = program_of(text, dialect)
-    return Figure(strip_scene(run(program, [dict(inputs or {})]).scans[0]))
+    return Figure(strip_scene(run_program(program, [dict(inputs or {})]).scans[0]))
 
 
 def draw(drawing: str) -> Figure:
@@ -80,7 +93,7 @@ def film_of(
     """Make the film of one scan, or of several if `inputs` is a list with one mapping a scan."""
     program = program_of(text, dialect)
     scans = [dict(inputs)] if hasattr(inputs, "keys") else [dict(row) for row in inputs or [{}]]  # type: ignore[arg-type]
-    return film(run(program, scans).scans)
+    return film(run_program(program, scans).scans)
 
 
 @dataclass(frozen=True, slots=True)

@@ -73,6 +73,12 @@ class Walk:
         """The network's last line, where its residue is reported."""
         return self.network.lines[-1]
 
+    @property
+    def leftover(self) -> list[Cell]:
+        """The network's own unused cells at its end, of all stacks but the parentheses, which the reader watches."""
+        kept = [cells for cells, stack in zip(self.end, self.dialect.stacks, strict=True) if stack.name != "paren"]
+        return [cell for number, cells in enumerate(kept) for cell in cells if cell.live or (number and cell.line)]
+
 
 def walks(program: Program) -> Iterator[Walk]:
     """Walk every network that has lines; each begins as the family begins it, with cells that are not its own."""

@@ -33,12 +33,19 @@ def lessons(folder: Path | None = None) -> Path:
     return target
 
 
+def _trust(folder: Path) -> None:
+    """Sign the lessons for this user, so that JupyterLab shows their saved pictures before anything has run."""
+    books = [str(path) for path in sorted(folder.rglob("*.ipynb")) if ".ipynb_checkpoints" not in path.parts]
+    subprocess.run([sys.executable, "-m", "nbformat.sign", *books], check=False, capture_output=True)  # noqa: S603
+
+
 def open_lab(folder: Path | None = None, *, browser: bool = True) -> int:
     """Start JupyterLab on the lessons and wait until it is closed; Ctrl-C ends it."""
     if find_spec("jupyterlab") is None:
         msg = "JupyterLab is not installed here. Install it with: pip install 'plcteach[lab]'"
         raise PlcTeachError(msg)
     where = lessons(folder).resolve()
+    _trust(where)
     command = [
         sys.executable,
         "-m",

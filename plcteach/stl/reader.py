@@ -13,6 +13,7 @@ from plcteach.core.program import Arg, Line, Program
 from plcteach.core.source import Span, decode
 from plcteach.core.text import NOTHING, Text, same
 from plcteach.dialects import dialect as find_dialect
+from plcteach.dialects import names
 from plcteach.stl.circuits import arrange
 from plcteach.stl.tokens import Heading, Statement, Word, cut
 
@@ -25,12 +26,12 @@ _NUMBER = re.compile(r"[+]?\d{1,9}")
 _MOST_SUGGESTIONS = 200
 
 
-def read(text: str | bytes, dialect: str | Dialect, *, encoding: str | None = None) -> Program:
+def read(text: str | bytes, dialect: str | Dialect | None = None, *, encoding: str | None = None) -> Program:
     """Read a program; what could not be read stands in `Program.diagnostics`, each finding with its place.
 
     Bytes are decoded first (UTF-8, UTF-16, `encoding`, GBK, cp1252). UnknownNameError if there is no such dialect.
     """
-    family = find_dialect(dialect)
+    family = find_dialect(dialect or names()[0])
     source = text if isinstance(text, str) else decode(text, encoding)
     tokens = cut(source, closers=")" in family.words)
     reading = _Reading(family)

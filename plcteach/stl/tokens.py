@@ -81,7 +81,7 @@ class _Cutter:
         self.closers = closers
         self.comments: list[str] = []
         self.opened: Span | None = None
-        self.in_variables = False
+        self.variables: Span | None = None
 
     def cut(self, text: str) -> Tokens:
         rows = text.split("\n")
@@ -91,6 +91,8 @@ class _Cutter:
             self.too_long(Span(MOST_ROWS + 1), _rows(len(rows)), _rows(MOST_ROWS))
         if self.opened:
             self.out.diagnostics.append(rule("RDR009").at(self.opened))
+        if self.variables:
+            self.out.diagnostics.append(rule("RDR015").at(self.variables))
         self.out.tail = tuple(self.comments)
         return self.out
 
@@ -107,10 +109,10 @@ class _Cutter:
             self.out.diagnostics.append(rule("RDR014").at(Span(number, at, at + 1), word=f"U+{ord(given[at]):04X}"))
             given = _CONTROL.sub(" ", given)
         plain = half_width(given)
-        if self.in_variables:
-            self.in_variables = not plain.strip().upper().startswith("END_VAR")
+        if self.variables:
+            self.variables = None if plain.strip().upper().startswith("END_VAR") else self.variables
         elif not self.opened and _VARIABLES.fullmatch(plain):
-            self.in_variables = True
+            self.variables = Span(number, 0, len(given))
         elif not self.heading(number, plain, given) and not self.skipped(plain):
             self.statements(number, plain, given)
 
@@ -121,10 +123,13 @@ class _Cutter:
         match = None if self.opened else _HEADING.fullmatch(plain)
         if not match:
             return False
-        title = given[match.start("rest") :].strip().lstrip("/:：;；").strip()
-        if title.startswith("(*") and title.endswith("*)"):
-            title = title[2:-2].strip()
-        self.out.items.append(Heading(Span(number, 0, len(given)), title))
+        start = match.start("rest")
+        stop = plain.find(";", start)
+        inside = plain.find("//", start), plain.find("(*", start)
+        if stop < 0 or any(0 <= sign < stop for sign in inside):
+            stop = len(given)
+        self.out.items.append(Heading(Span(number, 0, stop), _title(given[start:stop])))
+        self.statements(number, " " * stop + plain[stop:].replace(";", " ", 1), given)
         return True
 
     def statements(self, number: int, plain: str, given: str) -> None:
@@ -167,6 +172,14 @@ class _Cutter:
             code.append(plain[at:block] + "  ")
             self.opened, at = Span(number, block, block + 2), block + 2
         return "".join(code), " ".join(words for words in said if words)
+
+
+def _title(words: str) -> str:
+    """Take the signs of a comment off a title, however many there are."""
+    bare = words.strip().lstrip("/:：;；").strip()
+    while bare.startswith("(*") and bare.endswith("*)"):
+        bare = bare[2:-2].strip()
+    return bare
 
 
 def _rows(count: int) -> Text:

@@ -160,5 +160,5 @@ def as_json(one: Diagnostic) -> dict[str, Any]:
             {"text": note.text.as_dict(), "row": note.span.row, "start": note.span.start, "stop": note.span.stop}
             for note in one.notes
         ],
-        "fix": one.fix.as_dict(),
+        **({"fix": one.fix.as_dict()} if one.fix.en else {}),
     }

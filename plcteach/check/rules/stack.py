@@ -156,7 +156,7 @@ def value_dropped(walk: Walk, row: Rule) -> Iterator[Diagnostic]:
 @finds("STK005", STACK_RULES)
 def residue(walk: Walk, row: Rule) -> Iterator[Diagnostic]:
     """Values are left on the stack that nothing has used."""
-    left = _leftover(walk)
+    left = walk.leftover
     if left and not _last_read(walk, left):
         rows = "、".join(str(_row(cell)) for cell in left), ", ".join(str(_row(cell)) for cell in left)
         finding = row.at(walk.last.span, unit=walk.dialect.unit, count=len(left), rows=Text(*rows))
@@ -166,7 +166,7 @@ def residue(walk: Walk, row: Rule) -> Iterator[Diagnostic]:
 @finds("STK006", STACK_RULES)
 def last_branch_reads(walk: Walk, row: Rule) -> Iterator[Diagnostic]:
     """The last branch was read and not popped, so that the branch point stays."""
-    read = _last_read(walk, _leftover(walk))
+    read = _last_read(walk, walk.leftover)
     if read:
         roles = walk.dialect.roles
         finding = row.at(walk.last.span, unit=walk.dialect.unit, pop=roles["pop"], read=roles["read"])
@@ -175,12 +175,6 @@ def last_branch_reads(walk: Walk, row: Rule) -> Iterator[Diagnostic]:
             f"把第{read.line.span.row}行改成{roles['pop']}。", f"Make row {read.line.span.row} a {roles['pop']}."
         )
         yield replace(finding, severity=walk.dialect.residue, notes=(Note(read.line.span, here),), fix=fix)
-
-
-def _leftover(walk: Walk) -> list[Cell]:
-    """Give the network's own unused cells at its end, of all stacks but the parentheses, which the reader watches."""
-    kept = [cells for cells, stack in zip(walk.end, walk.dialect.stacks, strict=True) if stack.name != "paren"]
-    return [cell for number, cells in enumerate(kept) for cell in cells if cell.live or (number and cell.line)]
 
 
 def _last_read(walk: Walk, left: list[Cell]) -> Move | None:

@@ -1,0 +1,109 @@
+"""The manual: a page for each diagnostic, printed from its row and from what it really says of the families' samples."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from html import escape
+from typing import TYPE_CHECKING
+
+from plcteach.check.lint import lint
+from plcteach.core.diagnostic import RULES, Rule, rule
+from plcteach.core.errors import UnknownNameError
+from plcteach.core.text import Text, language
+from plcteach.dialects import dialect as find_dialect
+from plcteach.dialects import families
+from plcteach.figure.card import Card
+from plcteach.stl import read
+
+if TYPE_CHECKING:
+    from plcteach.core.spec import Dialect, Sample
+
+_BAD = Text("这样会触发它", "This triggers it")
+_GOOD = Text("这样就没有问题", "This does not")
+_SAID = Text("提示", "It says")
+_WHY = Text("为什么", "Why")
+
+
+@dataclass(frozen=True, slots=True)
+class RulePage:
+    """What there is to know of one diagnostic, with a program that triggers it and the mended one, family by family."""
+
+    rule: Rule
+    samples: tuple[tuple[Dialect, Sample], ...]
+
+    def __repr__(self) -> str:
+        return self.text(language())
+
+    def _repr_html_(self) -> str:
+        return f"<pre>{escape(self.text(language()))}</pre>"
+
+    def text(self, lang: str) -> str:
+        """Give the page as lines of text."""
+        rows = [f"{self.rule.code}  {self.rule.name}", "", f"{_WHY.in_(lang)}: {self.rule.why.in_(lang)}"]
+        for dialect, sample in self.samples:
+            said = next(
+                one for one in lint(read(sample.bad.replace("; ", "\n"), dialect)) if one.code == self.rule.code
+            )
+            rows += ["", f"[{dialect.title.in_(lang)}] {_BAD.in_(lang)}:", *_listing(sample.bad)]
+            rows += [f"{_SAID.in_(lang)} ({said.severity}): {said.text.in_(lang)}"]
+            rows += [f"{_GOOD.in_(lang)}:", *_listing(sample.good)]
+        if not self.samples:
+            rows += ["", blanks(self.rule.says).in_(lang)]
+        return "\n".join(rows)
+
+
+def blanks(says: Text) -> Text:
+    """Put an ellipsis where a message names what it has found."""
+
+    class _Blank(dict[str, str]):
+        def __missing__(self, key: str) -> str:
+            return "…"
+
+    return Text(says.zh.format_map(_Blank()), says.en.format_map(_Blank()))
+
+
+def _listing(program: str) -> list[str]:
+    """Give a sample one instruction a line, numbered as its findings count."""
+    rows = program.replace("\x00", "␀").replace("; ", "\n").split("\n")
+    return [f"    {row.strip()}" for row in rows]
+
+
+@dataclass(frozen=True, slots=True)
+class RuleTable:
+    """All diagnostics in one table, printed from the rules themselves."""
+
+    def __repr__(self) -> str:
+        lang = language()
+        return "\n".join(
+            f"{row.code}  {row.severity:8} {row.name:24} {blanks(row.says).in_(lang)}" for row in RULES.values()
+        )
+
+    def _repr_html_(self) -> str:
+        lang = language()
+        body = "".join(
+            f"<tr><td><code>{row.code}</code></td><td>{row.severity}</td><td>{escape(blanks(row.says).in_(lang))}</td></tr>"
+            for row in RULES.values()
+        )
+        return f"<table>{body}</table>"
+
+
+def explain(word: str = "", dialect: str | Dialect | None = None) -> Card | RulePage | RuleTable:
+    """Explain an instruction (`OLD`), a diagnostic (`STK001`), or with no word list all diagnostics.
+
+    Without a dialect the first family that has the instruction answers. UnknownNameError suggests the nearest name.
+    """
+    if not word:
+        return RuleTable()
+    if word.upper() in RULES:
+        code = word.upper()
+        mine = [find_dialect(dialect)] if dialect else families()
+        samples = tuple((one, sample) for one in mine for sample in one.samples if sample.code == code)
+        return RulePage(rule(code), samples)
+    if dialect:
+        family = find_dialect(dialect)
+        return Card(family, family.insn(word))
+    for family in families():
+        if word.upper() in family.words:
+            return Card(family, family.words[word.upper()])
+    kind = "instruction or diagnostic"
+    raise UnknownNameError(kind, word, [*RULES, *(name for family in families() for name in family.words)])
