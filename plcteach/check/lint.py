@@ -6,7 +6,7 @@ from html import escape
 from typing import TYPE_CHECKING
 
 from plcteach.check.rules import PROGRAM_RULES, STACK_RULES
-from plcteach.core.diagnostic import Diagnostic, errors
+from plcteach.core.diagnostic import Diagnostic, errors, few
 from plcteach.core.text import Text, language
 from plcteach.machine.walk import Walk, walks
 from plcteach.stl import read
@@ -51,7 +51,7 @@ def lint(program: Program | str, dialect: str | Dialect | None = None) -> Findin
     for walk, start, end in zip(judged, starts, starts[1:], strict=False):
         if not any(start <= row < end for row in unread):
             found += _of_network(walk)
-    return Findings(sorted(found, key=lambda one: (one.span.row, one.span.start, one.code)))
+    return Findings(few(sorted(found, key=lambda one: (one.span.row, one.span.start, one.code))))
 
 
 def _of_network(walk: Walk) -> list[Diagnostic]:

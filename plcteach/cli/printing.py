@@ -99,7 +99,7 @@ def print_findings(found: Sequence[Diagnostic], program: Program) -> None:
     for one in found:
         print(f"{one.span.row}:{one.span.start + 1}: {one.severity} {one.code}: {one.text.in_(lang)}")
         if 0 < one.span.row <= len(rows):
-            row = rows[one.span.row - 1].rstrip("\r").replace("\t", " ")[:200]
+            row = "".join(sign if sign.isprintable() else " " for sign in rows[one.span.row - 1].rstrip("\r")[:200])
             print(f"    {row}")
             print(
                 "    " + " " * _width(row[: one.span.start]) + "^" * max(1, _width(row[one.span.start : one.span.stop]))

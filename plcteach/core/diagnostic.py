@@ -70,6 +70,16 @@ class Diagnostic:
         return rule(self.code).why
 
 
+MOST_FINDINGS = 300
+
+
+def few(found: list[Diagnostic]) -> list[Diagnostic]:
+    """Keep the first findings of very many, and say that there are more."""
+    if len(found) <= MOST_FINDINGS:
+        return found
+    return [*found[:MOST_FINDINGS], rule("RDR016").at(found[MOST_FINDINGS].span, most=MOST_FINDINGS)]
+
+
 def errors(diagnostics: Iterable[Diagnostic]) -> list[Diagnostic]:
     """Give the findings that keep a program from being run."""
     return [one for one in diagnostics if one.severity == "error"]
@@ -269,6 +279,19 @@ _ROWS = (
         Text(
             "变量表里的行不是指令，要用END_VAR说明它到哪里为止。",
             "The rows of a table of variables are no instructions; END_VAR says where the program goes on.",
+        ),
+    ),
+    Rule(
+        "RDR016",
+        "too-many-findings",
+        "error",
+        Text(
+            "到这里已经有{most}条提示，后面的不再一一列出。是这个机型的程序吗？",
+            "There are {most} findings up to here, and the rest is not listed. Is it the right file, and the right family?",
+        ),
+        Text(
+            "没有人会读几百条提示；先改前面几条，其余的常常跟着消失。",
+            "Nobody reads hundreds of findings; mend the first few, and many of the others go with them.",
         ),
     ),
     # STK: the stack, whatever the values

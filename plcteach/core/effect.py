@@ -214,7 +214,7 @@ def flow(effect: Effect, shapes: tuple[Shape, ...], heights: tuple[int, ...]) ->
     tails = [(start, min(height, start + free)) for start, height, free in zip(counts, heights, room, strict=True)]
     kept = {origin.sources[0] for stack in after for origin in stack if origin.how == "kept"}
     used = {place for stack in after for origin in stack if origin.how == "made" for place in origin.sources}
-    gone = [place for place in named.values() if place not in kept]
+    gone = [place for place in named.values() if place not in kept and place not in lost]
     return Flow(
         after=tuple(after),
         lost=tuple(lost),

@@ -54,6 +54,11 @@ class _Words:
         self.next += 1
         return word
 
+    def name(self) -> str:
+        if not self.peek().isidentifier():
+            self.take("a word")
+        return self.take()
+
     def accept(self, word: str) -> bool:
         if self.peek() != word:
             return False
@@ -96,12 +101,12 @@ def parse_formula(text: str) -> Formula:
 def _clause(words: _Words) -> Clause:
     stack = ""
     if words.peek(1) == ":":
-        stack = words.take()
+        stack = words.name()
         words.take(":")
     takes = []
     while not words.accept("--"):
-        name = words.take()
-        tag = words.take() if words.accept(".") else ""
+        name = words.name()
+        tag = words.name() if words.accept(".") else ""
         takes.append(Taken(name, tag, optional=words.accept("?")))
     gives = []
     while words.peek() not in {"", ";"}:
@@ -112,10 +117,10 @@ def _clause(words: _Words) -> Clause:
 def _given(words: _Words) -> Given:
     label = ""
     if words.peek(1) == "=":
-        label = words.take()
+        label = words.name()
         words.take("=")
     formula = _formula(words, 0)
-    tag = words.take() if words.accept(".") else ""
+    tag = words.name() if words.accept(".") else ""
     return Given(formula, tag, label)
 
 
@@ -136,10 +141,10 @@ def _factor(words: _Words) -> Formula:
         words.take(")")
         return inner
     if words.accept("["):
-        n = words.take()
+        n = words.name()
         words.take("]")
         return At(n)
-    name = words.take()
+    name = words.name()
     if name in {"rise", "fall"} and words.accept("("):
         inner = _formula(words, 0)
         words.take(")")

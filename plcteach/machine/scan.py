@@ -194,8 +194,8 @@ def run(
     UnknownNameError names an address that the family does not have.
     """
     wanted: list[Mapping[str, Any]] = [{}] * scans if isinstance(scans, int) else list(scans)
-    inputs: dict[str, Column] = {}
     state: Memory[Column] = memory or Memory()
+    inputs = {one.text: state.bits[one.text] for one in program.addresses("input") if one.text in state.bits}
     done: list[Scan[Column]] = []
     found: dict[str, Diagnostic] = {}
 

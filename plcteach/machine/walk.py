@@ -6,7 +6,7 @@ The rules about the stack are short because all of them read this one walk, and 
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 from plcteach.core.effect import Flow, Origin, Place, flow, names
@@ -127,9 +127,7 @@ def _cell(origin: Origin, before: Cells, new: Cell, here: Place, used: set[Place
     stack, place = origin.sources[0]
     cell = before[stack][place]
     top = here == (0, 0)
-    return replace(
-        cell,
-        spent=cell.spent or (stack, place) in used,
-        branch=cell.branch and not top,
-        tag=origin.tag or ("" if top else cell.tag),
-    )
+    spent = cell.spent or (stack, place) in used
+    branch = cell.branch and not top
+    tag = origin.tag or ("" if top else cell.tag)
+    return cell if (spent, branch, tag) == (cell.spent, cell.branch, cell.tag) else Cell(cell.line, spent, branch, tag)

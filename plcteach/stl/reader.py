@@ -7,7 +7,7 @@ from functools import lru_cache
 from typing import TYPE_CHECKING
 
 from plcteach.core.area import Address, Area
-from plcteach.core.diagnostic import Diagnostic, rule
+from plcteach.core.diagnostic import MOST_FINDINGS, Diagnostic, few, rule
 from plcteach.core.errors import nearest
 from plcteach.core.program import Arg, Line, Program
 from plcteach.core.source import Span, decode
@@ -41,9 +41,11 @@ def read(text: str | bytes, dialect: str | Dialect | None = None, *, encoding: s
             items.append(item)
         else:
             items.extend(reading.line(item))
+        if len(reading.diagnostics) > MOST_FINDINGS:
+            break
     networks, found = arrange(family, items)
     diagnostics = sorted([*tokens.diagnostics, *reading.diagnostics, *found], key=lambda one: one.span)
-    return Program(family, networks, tokens.tail, source, tuple(diagnostics))
+    return Program(family, networks, tokens.tail, source, tuple(few(diagnostics)))
 
 
 class _Reading:

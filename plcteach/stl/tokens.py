@@ -15,7 +15,8 @@ if TYPE_CHECKING:
 
     from plcteach.core.diagnostic import Diagnostic
 
-MOST_ROWS = 20_000
+MOST_ROWS = 40_000
+MOST_STATEMENTS = 20_000
 LONGEST_ROW = 2_000
 
 
@@ -69,6 +70,7 @@ _WRAPPER = re.compile(
     re.IGNORECASE,
 )
 _VARIABLES = re.compile(r"\s*VAR(?:_INPUT|_OUTPUT|_IN_OUT|_TEMP)?\s*", re.IGNORECASE)
+_SIGNS = re.compile(r"[\s/:;]*(?:\(\*(?P<block>.*)\*\)\s*|(?P<bare>.*))")
 _WORDS = re.compile(r"[^\s,;]+")
 _CONTROL = re.compile(r"[\x00-\x08\x0e-\x1f\x7f]")
 
@@ -87,6 +89,11 @@ class _Cutter:
         rows = text.split("\n")
         for number, row in enumerate(rows[:MOST_ROWS], 1):
             self.row(number, row.rstrip("\r"))
+            if len(self.out.items) > MOST_STATEMENTS:
+                more = Text(f"{MOST_STATEMENTS}条指令以上", f"more than {MOST_STATEMENTS} instructions")
+                self.too_long(Span(number), more, Text(f"{MOST_STATEMENTS}条", f"{MOST_STATEMENTS}"))
+                del self.out.items[MOST_STATEMENTS:]
+                break
         if len(rows) > MOST_ROWS:
             self.too_long(Span(MOST_ROWS + 1), _rows(len(rows)), _rows(MOST_ROWS))
         if self.opened:
@@ -128,7 +135,7 @@ class _Cutter:
         inside = plain.find("//", start), plain.find("(*", start)
         if stop < 0 or any(0 <= sign < stop for sign in inside):
             stop = len(given)
-        self.out.items.append(Heading(Span(number, 0, stop), _title(given[start:stop])))
+        self.out.items.append(Heading(Span(number, 0, stop), _title(plain[start:stop], given[start:stop])))
         self.statements(number, " " * stop + plain[stop:].replace(";", " ", 1), given)
         return True
 
@@ -174,12 +181,15 @@ class _Cutter:
         return "".join(code), " ".join(words for words in said if words)
 
 
-def _title(words: str) -> str:
-    """Take the signs of a comment off a title, however many there are."""
-    bare = words.strip().lstrip("/:：;；").strip()
-    while bare.startswith("(*") and bare.endswith("*)"):
-        bare = bare[2:-2].strip()
-    return bare
+def _title(plain: str, given: str) -> str:
+    """Take the signs of a comment off a title, however many there are; `plain` is the same in half-width letters."""
+    while match := _SIGNS.fullmatch(plain):
+        inside = match["block"] is not None
+        first, last = match.span("block" if inside else "bare")
+        plain, given = plain[first:last], given[first:last]
+        if not inside:
+            break
+    return given.strip()
 
 
 def _rows(count: int) -> Text:

@@ -16,15 +16,16 @@ if TYPE_CHECKING:
 @finds("COI001", PROGRAM_RULES)
 def double_coil(program: Program, row: Rule) -> Iterator[Diagnostic]:
     """A bit has two coils; a bistable written out, which reads its first coil before the second, is no mistake."""
-    for network in program.networks:
+    first_at: dict[str, tuple[int, Line]] = {}
+    for number, network in enumerate(program.networks):
         read_since: set[str] = set()
         for line in network.lines:
             address = _coil(line)
             if not address:
                 read_since |= {bit.text for bit in line.bits}
                 continue
-            first = _first_coil(program, address)
-            if first is not line and not (address in read_since and first in network.lines):
+            where, first = first_at.setdefault(address, (number, line))
+            if first is not line and not (address in read_since and where == number):
                 yield row.at(line.span, address=address, row=first.span.row)
             read_since.discard(address)
 
@@ -36,7 +37,3 @@ def _coil(line: Line) -> str:
         if line.bits and any(verb.name == "coil" and verb.target == "out" for verb in line.insn.then)
         else ""
     )
-
-
-def _first_coil(program: Program, address: str) -> Line:
-    return next(line for line in program.lines if _coil(line) == address)
