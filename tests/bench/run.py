@@ -14,9 +14,13 @@ import subprocess
 import sys
 import tempfile
 import time
+from base64 import b64encode
 from collections.abc import Callable
-from io import BytesIO
 from pathlib import Path
+from typing import Any
+
+from plcteach.core.text import Text, same
+from plcteach.figure.scene import Box, Scene, Shape, Words
 
 FLAGS = ["--no-sandbox", "--disable-gpu", "--no-first-run", "--disable-background-networking", "--disable-sync"]
 PROGRAM = "LD I0.0; A I0.1; LD I0.2; AN I0.3; OLD; LPS; A I0.4; = Q0.0; LRD; A I0.5; = Q0.1; LPP; AN I0.6; = Q0.2"
@@ -38,54 +42,73 @@ def show(name: str, *rows: tuple[str, str]) -> None:
         print(f"  {what:<62} {value}")
 
 
+STEPS = """async () => {
+  const player = document.querySelector('.plc-player'); player.focus();
+  const took = [];
+  for (let i = 0; i < 24; i++) {
+    const start = performance.now();
+    player.dispatchEvent(new KeyboardEvent('keydown', { key: i % 24 < 12 ? 'ArrowRight' : 'ArrowLeft', bubbles: true, cancelable: true }));
+    player.getBoundingClientRect();
+    took.push(performance.now() - start);
+    await new Promise((resolve) => setTimeout(resolve, 600));
+  }
+  return took;
+}"""
+SHOWN = """async (data) => {
+  const image = new Image();
+  image.src = 'data:image/png;base64,' + data;
+  await image.decode();
+  document.body.append(image);
+  image.getBoundingClientRect();
+}"""
+
+
+def picture_of(film: dict[str, Any], index: int) -> Scene:
+    """Draw what the player shows of one step: the list with its current line, the stack with its levels, the sentence."""
+    now = film["steps"][index]
+    shapes: list[Shape] = [Box(0, 24 * now["line"], 200, 24, "wire-on")]
+    shapes += [
+        Words(12, 24 * at + 12, same(line["text"]), anchor="start", code=True) for at, line in enumerate(film["lines"])
+    ]
+    for _, _, place, value, *_ in now["cells"]:
+        shapes += [Box(320, 34 * place, 120, 30, "wire", 5), Words(380, 34 * place + 15, same(value), bold=True)]
+        shapes.append(Words(300, 34 * place + 15, Text(f"第{place + 1}层", f"level {place + 1}"), anchor="end"))
+    shapes.append(Words(0, 360, Text(**now["say"]), anchor="start"))
+    return Scene(640, 380, tuple(shapes), same("a step"))
+
+
 def step() -> None:
-    """Compare one step in the browser with one picture by matplotlib."""
+    """Compare one step in the browser with the same picture drawn by matplotlib, sent to the same page and shown there."""
     from playwright.sync_api import sync_playwright
 
-    from plcteach.dialects import dialect
     from plcteach.figure.film import film
-    from plcteach.figure.mpl import draw
-    from plcteach.figure.stack import illustrate
+    from plcteach.figure.mpl import save
     from plcteach.machine import run
     from plcteach.publish import player_page
     from plcteach.stl import read
 
-    scene = illustrate(dialect("s7-200"), "OLD")
-
-    def ink() -> None:
-        axes = draw(scene, "en")
-        axes.figure.savefig(BytesIO(), format="png")
-
-    ink()
-    drawn = best(ink)
-    page_text = player_page(film(run(read(PROGRAM, "s7-200"), [{"I0.0": 1}]).scans), "en")
+    scan = run(read(PROGRAM, "s7-200"), [{"I0.0": 1}]).scans[0]
+    scene = picture_of(film([scan]).data, 6)
     with tempfile.TemporaryDirectory() as folder, sync_playwright() as playwright:
-        path = Path(folder) / "player.html"
-        path.write_text(page_text, encoding="utf-8")
+        path, picture = Path(folder) / "player.html", Path(folder) / "stack.png"
+        path.write_text(player_page(film([scan]), "en"), encoding="utf-8")
         browser = playwright.chromium.launch(executable_path=shutil.which("chromium"), args=FLAGS)
         page = browser.new_page()
         page.goto(path.as_uri())
         page.wait_for_selector(".plc-player")
-        times = page.evaluate(
-            """async () => {
-              const player = document.querySelector('.plc-player'); player.focus();
-              const press = (key) => player.dispatchEvent(new KeyboardEvent('keydown', { key, bubbles: true, cancelable: true }));
-              const took = [];
-              for (let i = 0; i < 120; i++) {
-                const start = performance.now();
-                press(i % 24 < 12 ? 'ArrowRight' : 'ArrowLeft');
-                player.getBoundingClientRect();
-                took.push(performance.now() - start);
-                await new Promise(requestAnimationFrame);
-              }
-              return took;
-            }"""
-        )
+        stepped = statistics.median(page.evaluate(STEPS)) / 1000
+        blank = browser.new_page()
+
+        def ink() -> None:
+            save(scene, picture, "en")
+            blank.evaluate(SHOWN, b64encode(picture.read_bytes()).decode())
+
+        ink()
+        drawn = best(ink)
         browser.close()
-    stepped = statistics.median(times) / 1000
     show(
-        "step: one step in the player (script, style and layout) against one picture by matplotlib",
-        ("player, median of 120 steps", f"{stepped * 1e3:.2f} ms"),
+        "step: one step in the player (script, style and layout) against the same picture by matplotlib, sent and shown",
+        ("player, median of 24 steps at rest", f"{stepped * 1e3:.2f} ms"),
         ("matplotlib, best of 5", f"{drawn * 1e3:.1f} ms"),
         ("ratio (the issue asks for at least 20)", f"{drawn / stepped:.0f} times"),
     )
@@ -126,7 +149,7 @@ def traced() -> None:
         lines = [(line.insn.mnemonic, line.args[0].text if line.args else "") for line in program.lines]
         bits = {f"I0.{bit}": bit % 2 for bit in range(8)}
         ours = best(lambda program=program: run(program, 3).scans[1].steps) / (4 * len(lines))
-        theirs = best(lambda lines=lines: [bare(lines, dict(bits)) for _ in range(4)]) / (4 * len(lines))
+        theirs = best(lambda lines=lines, bits=bits: [bare(lines, dict(bits)) for _ in range(4)]) / (4 * len(lines))
         show(
             f"traced: {len(lines)} lines, four scans",
             ("plcteach (three values, origins of every cell, reads and writes)", f"{1 / ours:,.0f} instructions/s"),
@@ -164,15 +187,23 @@ def columns() -> None:
         grouped = "; ".join(blocks + ["OLD"] * (len(blocks) - 1) + ["= Q0.0"])
         joined = "; ".join([blocks[0], *(f"{one}; OLD" for one in blocks[1:]), "= Q0.0"])
         if len(blocks) > 8:
-            grouped = joined.replace(blocks[0], f"{blocks[1]}; NOP 0").replace(f"; {blocks[1]}; OLD", f"; {blocks[0]}; OLD", 1)
+            grouped = joined.replace(blocks[0], f"{blocks[1]}; NOP 0").replace(
+                f"; {blocks[1]}; OLD", f"; {blocks[0]}; OLD", 1
+            )
         reference, student = read(joined, "s7-200"), read(grouped, "s7-200")
         assert compare(reference, student).proof == "table"
         ours = best(lambda reference=reference, student=student: compare(reference, student))
         rows = [(f"{inputs} inputs, {1 << inputs:,} rows by columns", f"{ours * 1e3:.2f} ms")]
         if inputs <= 12:
             scans = [{name: case >> bit & 1 for bit, name in enumerate(names)} for case in range(1 << inputs)]
-            one_by_one = best(lambda scans=scans, reference=reference, student=student: (run(reference, scans), run(student, scans)), 2)
-            rows += [("the same rows one by one", f"{one_by_one * 1e3:.0f} ms"), ("ratio", f"{one_by_one / ours:.0f} times")]
+            one_by_one = best(
+                lambda scans=scans, reference=reference, student=student: (run(reference, scans), run(student, scans)),
+                2,
+            )
+            rows += [
+                ("the same rows one by one", f"{one_by_one * 1e3:.0f} ms"),
+                ("ratio", f"{one_by_one / ours:.0f} times"),
+            ]
         show("columns: are two lists the same?", *rows)
 
 
