@@ -6,7 +6,7 @@ The bad and the good program of each row stand in the dialects' tables, because 
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Literal
 
 from plcteach.core.errors import UnknownNameError
@@ -74,10 +74,13 @@ MOST_FINDINGS = 300
 
 
 def few(found: list[Diagnostic]) -> list[Diagnostic]:
-    """Keep the first findings of very many, and say that there are more."""
+    """Keep the first of very many findings, errors before remarks, and say that there are more."""
     if len(found) <= MOST_FINDINGS:
         return found
-    return [*found[:MOST_FINDINGS], rule("RDR016").at(found[MOST_FINDINGS].span, most=MOST_FINDINGS)]
+    kept = sorted(found, key=lambda one: one.severity != "error")[:MOST_FINDINGS]
+    cut = len(errors(found)) > len(errors(kept))
+    more = replace(rule("RDR016").at(found[-1].span, most=MOST_FINDINGS), severity="error" if cut else "info")
+    return [*sorted(kept, key=lambda one: one.span), more]
 
 
 def errors(diagnostics: Iterable[Diagnostic]) -> list[Diagnostic]:
@@ -284,7 +287,7 @@ _ROWS = (
     Rule(
         "RDR016",
         "too-many-findings",
-        "error",
+        "info",
         Text(
             "到这里已经有{most}条提示，后面的不再一一列出。是这个机型的程序吗？",
             "There are {most} findings up to here, and the rest is not listed. Is it the right file, and the right family?",

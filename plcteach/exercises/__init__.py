@@ -7,6 +7,7 @@ from functools import cache
 from importlib.resources import files
 from typing import TYPE_CHECKING, Any
 
+from plcteach.core.diagnostic import RULES
 from plcteach.core.errors import DeclarationError, UnknownNameError
 from plcteach.core.exercise import Exercise, WrongSample
 from plcteach.core.text import NOTHING, Text
@@ -58,6 +59,18 @@ def parse(toml: str, name: str) -> Exercise:
     if unknown or missing:
         msg = f"exercise {name}: unknown {sorted(unknown)}, missing {sorted(missing)}"
         raise DeclarationError(msg)
+    try:
+        return _made(table, name)
+    except (KeyError, TypeError, ValueError, AttributeError) as trouble:
+        msg = f"exercise {name}: {type(trouble).__name__} {trouble}: is something missing or of another kind?"
+        raise DeclarationError(msg) from None
+
+
+def _made(table: dict[str, Any], name: str) -> Exercise:
+    for sample in table.get("wrong", ()):
+        if sample["expect"] != "different" and sample["expect"] not in RULES:
+            msg = f"expect is 'different' or the code of a diagnostic, not {sample['expect']!r}"
+            raise ValueError(msg)
     return Exercise(
         id=name,
         dialect=table["dialect"],

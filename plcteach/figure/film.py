@@ -62,13 +62,17 @@ def film(scans: Iterable[Scan[Column]], title: Text | None = None) -> Film:
     program = shot[0].program
     maker = _Maker(program)
     for scan in shot:
-        if len(maker.steps) + len(program.lines) > MOST_STEPS and maker.steps:
+        if len(maker.steps) + len(program.lines) >= MOST_STEPS and maker.steps:
             title = joined((title or program.dialect.title, Text("（只放开头部分）", "(the beginning only)")))
             break
         maker.scan(scan)
     return Film(maker.data(title or program.dialect.title))
 
 
+_LOST = Text(
+    "最下面一层还没有用过的值被推出栈底，丢失了。",
+    "The bottom level's value, not yet used, was pushed out and is lost.",
+)
 _LEFT = Text(
     "本{unit}到此结束，堆栈里还剩{count}没有用过的值。",
     "The {unit} ends here with {count} unused value(s) still on the stack.",
@@ -175,7 +179,7 @@ class _Maker:
         warning = self.warning(number, step)
         if warning:
             shot["warn"] = warning.as_dict()
-        self.steps.append({name: value for name, value in shot.items() if value not in ({}, [])})
+        self.steps.append({name: value for name, value in shot.items() if name == "cells" or value not in ({}, [])})
 
     def new_network(self) -> dict[str, str]:
         """Between networks growing stacks are emptied, and what a fixed one still holds belongs to somebody else."""
@@ -242,14 +246,10 @@ class _Maker:
         for address, value in step.written:
             if value.unknown:
                 return rule("RUN001").says.format(address=address.text)
-        if number in self.residues:
-            return self.residues[number]
+        told = [self.residues[number]] if number in self.residues else []
         if self.moves[number].lost:
-            return Text(
-                "最下面一层还没有用过的值被推出栈底，丢失了。",
-                "The bottom level's value, not yet used, was pushed out and is lost.",
-            )
-        return None
+            told.insert(0, _LOST)
+        return joined(told) if told else None
 
     def data(self, title: Text) -> dict[str, Any]:
         lines = [

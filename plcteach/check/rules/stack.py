@@ -197,7 +197,9 @@ def join_for_one_series(walk: Walk, row: Rule) -> Iterator[Diagnostic]:
 
 def _single(walk: Walk, row: Rule, join: str, sign: str) -> Iterator[Diagnostic]:
     for load, move in zip(walk.moves, walk.moves[1:], strict=False):
-        single = _fused(walk, load.line.insn, sign) if move.role == join and ")" not in walk.dialect.words else None
+        blocks = [cell for cell in move.taken.values() if cell.line and not cell.branch]
+        joins = move.role == join and len(blocks) > 1 and ")" not in walk.dialect.words
+        single = _fused(walk, load.line.insn, sign) if joins else None
         if single:
             operand = load.line.text.partition(" ")[2]
             finding = row.at(load.line.span, single=f"{single} {operand}", load=load.line.text, join=move.line.text)
