@@ -212,20 +212,29 @@ def flow(effect: Effect, shapes: tuple[Shape, ...], heights: tuple[int, ...]) ->
         after.append(tuple(cells))
     room = [shape.depth - head for shape, head in zip(shapes, heads, strict=True)]
     tails = [(start, min(height, start + free)) for start, height, free in zip(counts, heights, room, strict=True)]
-    kept = {origin.sources[0] for stack in after for origin in stack if origin.how == "kept"}
-    used = {place for stack in after for origin in stack if origin.how == "made" for place in origin.sources}
-    gone = [place for place in named.values() if place not in kept and place not in lost]
+    dropped, merged = _gone(after, named, lost)
     return Flow(
         after=tuple(after),
         lost=tuple(lost),
-        dropped=tuple(place for place in gone if place not in used),
-        merged=tuple(place for place in gone if place in used),
+        dropped=dropped,
+        merged=merged,
         missing=missing,
         named=named,
         tags=tags,
         heads=tuple(heads),
         tails=tuple(tails),
     )
+
+
+def _gone(
+    after: list[tuple[Origin, ...]], named: dict[str, Place], lost: list[Place]
+) -> tuple[tuple[Place, ...], tuple[Place, ...]]:
+    """Tell the taken cells that are there no more: dropped unused, or merged into a new value."""
+    origins = [origin for stack in after for origin in stack]
+    kept = {origin.sources[0] for origin in origins if origin.how == "kept"}
+    used = {place for origin in origins if origin.how == "made" for place in origin.sources}
+    gone = [place for place in named.values() if place not in kept and place not in lost]
+    return tuple(place for place in gone if place not in used), tuple(place for place in gone if place in used)
 
 
 _Taking = tuple[dict[str, Place], dict[str, str], list[int], tuple[int, ...]]

@@ -27,10 +27,10 @@ class Exercise:
     title: Text
     task: Text
     reference: str
-    start: str
-    hints: tuple[Text, ...]
-    right: tuple[str, ...]
-    wrong: tuple[WrongSample, ...]
+    start: str = ""
+    hints: tuple[Text, ...] = ()
+    right: tuple[str, ...] = ()
+    wrong: tuple[WrongSample, ...] = ()
     points: float = 4.0
     order: int = 0
 

@@ -131,27 +131,27 @@ def insn(
         parse_effect(bare) if bare else None,
         parse_effect(close) if close else None,
     )
+    _complete(row)
+    return row
+
+
+def _complete(row: Insn) -> None:
+    """Refuse a row that uses what it does not declare."""
     declared = {operand.name for operand in row.operands}
     wanted = set().union(*(one.operands for one in row.effects))
+    taken = {take.name for clause in row.effect.clauses for take in clause.takes}
     for verb in row.then:
-        taken = {take.name for clause in row.effect.clauses for take in clause.takes}
-        used = names(verb.formula) - taken if verb.formula else frozenset()
-        wanted |= used | ({verb.target} if verb.formula else set()) | ({verb.count} if verb.count else set())
-    counted = {
-        give.formula.n
-        for one in row.effects
-        for clause in one.clauses
-        for give in clause.gives
-        if isinstance(give.formula, At)
-    }
+        if verb.formula:
+            wanted |= (names(verb.formula) - taken) | {verb.target} | ({verb.count} if verb.count else set())
+    if wanted - declared:
+        msg = f"{row.mnemonic}: {', '.join(sorted(wanted - declared))} stands in no stack and is no operand"
+        raise DeclarationError(msg)
+    given = [give.formula for one in row.effects for clause in one.clauses for give in clause.gives]
+    counted = {formula.n for formula in given if isinstance(formula, At)}
     for operand in row.operands:
         if operand.name in counted and not operand.number:
-            msg = f"{mnemonic}: [{operand.name}] counts cells, so {operand.name} wants a range of numbers"
+            msg = f"{row.mnemonic}: [{operand.name}] counts cells, so {operand.name} wants a range of numbers"
             raise DeclarationError(msg)
-    if wanted - declared:
-        msg = f"{mnemonic}: {', '.join(sorted(wanted - declared))} stands in no stack and is no operand"
-        raise DeclarationError(msg)
-    return row
 
 
 @dataclass(frozen=True, slots=True)

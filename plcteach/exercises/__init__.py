@@ -13,6 +13,7 @@ from plcteach.core.exercise import Exercise, WrongSample
 from plcteach.core.text import NOTHING, Text
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
     from pathlib import Path
 
 
@@ -54,43 +55,55 @@ def parse(toml: str, name: str) -> Exercise:
     except tomllib.TOMLDecodeError as trouble:
         msg = f"exercise {name}: {trouble}"
         raise DeclarationError(msg) from None
-    unknown = set(table) - _KEYS
+    unknown = set(table) - set(_FIELDS)
     missing = {"dialect", "title", "task", "reference"} - set(table)
     if unknown or missing:
         msg = f"exercise {name}: unknown {sorted(unknown)}, missing {sorted(missing)}"
         raise DeclarationError(msg)
-    try:
-        return _made(table, name)
-    except (KeyError, TypeError, ValueError, AttributeError) as trouble:
-        msg = f"exercise {name}: {type(trouble).__name__} {trouble}: is something missing or of another kind?"
-        raise DeclarationError(msg) from None
-
-
-def _made(table: dict[str, Any], name: str) -> Exercise:
-    for sample in table.get("wrong", ()):
-        if sample["expect"] != "different" and sample["expect"] not in RULES:
-            msg = f"expect is 'different' or the code of a diagnostic, not {sample['expect']!r}"
-            raise ValueError(msg)
-    return Exercise(
-        id=name,
-        dialect=table["dialect"],
-        title=_text(table["title"]),
-        task=_text(table["task"]),
-        reference=table["reference"],
-        start=table.get("start", ""),
-        hints=tuple(_text(hint) for hint in table.get("hints", ())),
-        right=tuple(sample["program"] for sample in table.get("right", ())),
-        wrong=tuple(
-            WrongSample(sample["program"], sample["expect"], _text(sample.get("because", {})))
-            for sample in table.get("wrong", ())
-        ),
-        points=float(table.get("points", 4)),
-        order=int(table.get("order", 0)),
-    )
-
-
-_KEYS = {"dialect", "title", "task", "reference", "start", "hints", "right", "wrong", "points", "order"}
+    fields: dict[str, Any] = {"id": name}
+    for key, make in _FIELDS.items():
+        if key in table:
+            try:
+                fields[key] = make(table[key])
+            except (KeyError, TypeError, ValueError, AttributeError) as trouble:
+                msg = f"exercise {name}: {key} does not read ({type(trouble).__name__}: {trouble})"
+                raise DeclarationError(msg) from None
+    return Exercise(**fields)
 
 
 def _text(pair: dict[str, Any]) -> Text:
-    return Text(str(pair["zh"]), str(pair["en"])) if pair else NOTHING
+    return Text(str(pair["zh"]), str(pair["en"]))
+
+
+def _hints(pairs: list[dict[str, Any]]) -> tuple[Text, ...]:
+    return tuple(_text(pair) for pair in pairs)
+
+
+def _right(samples: list[dict[str, Any]]) -> tuple[str, ...]:
+    return tuple(str(sample["program"]) for sample in samples)
+
+
+def _wrong(samples: list[dict[str, Any]]) -> tuple[WrongSample, ...]:
+    return tuple(_wrong_one(sample) for sample in samples)
+
+
+def _wrong_one(sample: dict[str, Any]) -> WrongSample:
+    expect = sample["expect"]
+    if expect != "different" and expect not in RULES:
+        msg = f"expect is 'different' or the code of a diagnostic, not {expect!r}"
+        raise ValueError(msg)
+    return WrongSample(str(sample["program"]), expect, _text(sample["because"]) if "because" in sample else NOTHING)
+
+
+_FIELDS: dict[str, Callable[[Any], Any]] = {
+    "order": int,
+    "dialect": str,
+    "points": float,
+    "title": _text,
+    "task": _text,
+    "reference": str,
+    "start": str,
+    "hints": _hints,
+    "right": _right,
+    "wrong": _wrong,
+}
