@@ -481,6 +481,19 @@ _ROWS = (
         ),
         (20,),
     ),
+    Rule(
+        "COI002",
+        "edge-memory-shared",
+        "warning",
+        Text(
+            "{word}用{address}记住上次的能流，可是第{row}行也写{address}。能换一个没有别人用的位吗？",
+            "{word} keeps the last flow in {address}, but row {row} writes {address} too. Could it have a bit of its own?",
+        ),
+        Text(
+            "每个正跳变、负跳变都要有自己的记忆位，否则比较的是别人的旧值。",
+            "Each edge needs a bit of its own to remember the last flow; shared, it compares with somebody else's.",
+        ),
+    ),
     # RUN: only the values can tell
     Rule(
         "RUN001",

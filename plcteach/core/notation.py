@@ -109,7 +109,7 @@ def _clause(words: _Words) -> Clause:
         tag = words.name() if words.accept(".") else ""
         takes.append(Taken(name, tag, optional=words.accept("?")))
     gives = []
-    while words.peek() not in {"", ";"}:
+    while words.peek() not in {"", ";", ")"}:
         gives.append(_given(words))
     return Clause(stack, tuple(takes), tuple(gives))
 

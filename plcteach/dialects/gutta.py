@@ -114,6 +114,7 @@ GUTTA = Dialect(
         "LD I0.0; LPS; NOT; LD SM0.0; LPP; A I0.1; OLD; = Q0.0",
     ),
     samples=(
+        Sample("COI002", "LD I0.0; P M0.0; = Q0.0; LD I0.1; = M0.0", "LD I0.0; P M0.1; = Q0.0; LD I0.1; = M0.0"),
         Sample("COI001", "LD I0.0; = Q0.0; LD I0.1; = Q0.0", "LD I0.0; O I0.1; = Q0.0"),
         Sample("STK001", "LD I0.0; LPS; ALD; = Q0.0", "LD I0.0; LD I0.1; O I0.2; ALD; = Q0.0"),
         Sample("STK003", "LD I0.0; A I0.1; = Q0.0; LPP; A I0.2; = Q0.1", "LD I0.0; LPS; A I0.1; = Q0.0; LPP; A I0.2; = Q0.1"),

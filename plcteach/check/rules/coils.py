@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from plcteach.check.rules.registry import PROGRAM_RULES, finds
+from plcteach.core.area import Address
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -28,6 +29,22 @@ def double_coil(program: Program, row: Rule) -> Iterator[Diagnostic]:
             if first is not line and not (address in read_since and where == number):
                 yield row.at(line.span, address=address, row=first.span.row)
             read_since.discard(address)
+
+
+@finds("COI002", PROGRAM_RULES)
+def edge_memory_shared(program: Program, row: Rule) -> Iterator[Diagnostic]:
+    """The bit in which an edge instruction keeps the last flow is written by another line as well."""
+    writers: dict[str, list[Line]] = {}
+    for line in program.lines:
+        for verb in line.insn.then:
+            target = line.bound.get(verb.target)
+            if isinstance(target, Address):
+                writers.setdefault(target.text, []).append(line)
+    for line in program.lines:
+        memory = next((line.bound["m"] for verb in line.insn.then if verb.target == "m"), None)
+        others = [one for one in writers[memory.text] if one is not line] if isinstance(memory, Address) else []
+        if others and isinstance(memory, Address):
+            yield row.at(line.span, word=line.insn.mnemonic, address=memory.text, row=others[0].span.row)
 
 
 def _coil(line: Line) -> str:
