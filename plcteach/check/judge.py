@@ -43,12 +43,12 @@ def judge(exercise: Exercise | str, text: str | bytes) -> Judgement:
     return Judgement(task, program, verdict, _marks(verdict, task.points))
 
 
-def verdict_on(wanted: Program, program: Program) -> Verdict:
+def verdict_on(wanted: Program, program: Program, level: str = "either") -> Verdict:
     """Compare a submission with the reference; with an error in its text or its stack there is nothing to compare."""
     found = lint(program)
     if errors(found) or not program.lines:
         return Verdict("error", diagnostics=found)
-    verdict = compare(wanted, program)
+    verdict = compare(wanted, program, level=level)
     return replace(verdict, diagnostics=tuple(found) + verdict.diagnostics)
 
 

@@ -57,8 +57,8 @@ def _judging_verbs(verbs: Any, reading: argparse.ArgumentParser) -> None:
     one.add_argument(
         "--level",
         choices=["exact", "settled", "either"],
-        default="exact",
-        help="what equal means (so far: exact)",
+        default="either",
+        help="equal at every scan's end, once settled, or either (default)",
     )
     one.add_argument("--json", action="store_true", help="print JSON only")
 

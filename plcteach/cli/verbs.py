@@ -87,12 +87,9 @@ def check_verb(options: argparse.Namespace) -> int:
     if not options.reference and not drawing:
         msg = "check wants --reference FILE or --exercise ID"
         raise CallError(msg)
-    if options.level != "exact":
-        msg = f"--level {options.level} is not there yet: a verdict here is exact, scan by scan"
-        raise CallError(msg)
     student = program_of(options.student, options)
     wanted = reference(text_of(options.reference, options) if options.reference else drawing, options.dialect)
-    verdict = verdict_on(wanted, student)
+    verdict = verdict_on(wanted, student, options.level)
     if options.json:
         print_json(verdict_json(verdict))
     else:

@@ -466,6 +466,19 @@ _ROWS = (
             "Inside a parenthesis the result is not yet combined with the rest, so there is nothing to output or branch.",
         ),
     ),
+    Rule(
+        "CHK003",
+        "reacts-later",
+        "info",
+        Text(
+            "结果一样，但比参考晚一个或几个扫描才反应：某一位先被使用、后被写入。",
+            "The result is right, but it comes a scan or more after the reference: some bit is used before it is written.",
+        ),
+        Text(
+            "程序按顺序执行；先写后用，当个扫描就见效，先用后写，要等下一个扫描。",
+            "A scan runs in order: a bit written before it is used acts at once, one written after acts in the next scan.",
+        ),
+    ),
     # COI: the program as a whole
     Rule(
         "COI001",

@@ -15,27 +15,40 @@ _PACKAGE = Path(__file__).parents[1]
 _INDEX = "index.ipynb"
 
 
+def _source() -> Path:
+    """Give the folder from which the lessons come: the checkout's own, else the installed package's."""
+    for folder in (_PACKAGE.parent / "notebooks", _PACKAGE / "lessons"):
+        if (folder / _INDEX).is_file():
+            return folder
+    msg = f"the lessons are missing from this installation ({_PACKAGE}); reinstall plcteach"
+    raise PlcTeachError(msg)
+
+
+def _files(source: Path) -> list[Path]:
+    """List the lessons and their pictures, relative to their folder."""
+    found = [path for path in source.rglob("*") if path.suffix in {".ipynb", ".png"} and path.is_file()]
+    return sorted(path.relative_to(source) for path in found if ".ipynb_checkpoints" not in path.parts)
+
+
 def lessons(folder: Path | None = None) -> Path:
     """Give the folder with the lessons; installed ones are copied to `folder`, where nothing existing is overwritten."""
-    checkout = _PACKAGE.parent / "notebooks"
-    if folder is None and (checkout / _INDEX).is_file():
-        return checkout
-    source = checkout if (checkout / _INDEX).is_file() else _PACKAGE / "lessons"
-    if not (source / _INDEX).is_file():
-        msg = f"the lessons are missing from this installation ({source}); reinstall plcteach"
-        raise PlcTeachError(msg)
+    source = _source()
+    if folder is None and source.name == "notebooks":
+        return source
     target = folder or Path("plcteach-lessons")
-    for path in sorted(source.rglob("*.ipynb")):
-        copy = target / path.relative_to(source)
-        if not copy.exists() and ".ipynb_checkpoints" not in path.parts:
+    for name in _files(source):
+        copy = target / name
+        if not copy.exists():
             copy.parent.mkdir(parents=True, exist_ok=True)
-            shutil.copyfile(path, copy)
+            shutil.copyfile(source / name, copy)
     return target
 
 
 def _trust(folder: Path) -> None:
-    """Sign the lessons for this user, so that JupyterLab shows their saved pictures before anything has run."""
-    books = [str(path) for path in sorted(folder.rglob("*.ipynb")) if ".ipynb_checkpoints" not in path.parts]
+    """Sign the lessons that are still ours, so that JupyterLab shows their saved pictures before anything has run."""
+    source = _source()
+    ours = [name for name in _files(source) if name.suffix == ".ipynb" and (folder / name).is_file()]
+    books = [str(folder / name) for name in ours if (folder / name).read_bytes() == (source / name).read_bytes()]
     subprocess.run([sys.executable, "-m", "nbformat.sign", *books], check=False, capture_output=True)  # noqa: S603
 
 
