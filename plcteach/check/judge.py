@@ -10,6 +10,7 @@ from plcteach.check.lint import lint
 from plcteach.check.same import compare
 from plcteach.core.diagnostic import errors
 from plcteach.core.errors import PlcTeachError
+from plcteach.core.text import language
 from plcteach.core.verdict import Verdict
 from plcteach.dialects import dialect as find_dialect
 from plcteach.exercises import exercise as find_exercise
@@ -59,7 +60,9 @@ def reference(text: str, dialect: str | Dialect) -> Program:
     if is_drawing(text):
         ladder, found = read_drawing(text)
         if errors(found):
-            raise PlcTeachError(errors(found)[0].text.en)
+            one = errors(found)[0]
+            msg = f"reference, row {one.span.row}, column {one.span.start + 1}: {one.text.in_(language())}"
+            raise PlcTeachError(msg)
         text = lower(ladder, family)
     program = read(text, family)
     wrong = errors(lint(program))

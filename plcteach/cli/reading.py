@@ -7,13 +7,15 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from plcteach.core.diagnostic import errors
+from plcteach.core.program import Program
 from plcteach.core.source import decode
+from plcteach.dialects import dialect as find_dialect
+from plcteach.ladder import is_drawing, lower, read_drawing
 from plcteach.stl import read
 
 if TYPE_CHECKING:
     import argparse
-
-    from plcteach.core.program import Program
 
 
 class CallError(Exception):
@@ -36,8 +38,13 @@ def text_of(name: str, options: argparse.Namespace) -> str:
 
 
 def program_of(name: str, options: argparse.Namespace) -> Program:
-    """Read a program file in the family that the caller chose."""
-    return read(text_of(name, options), options.dialect)
+    """Read a program file, or lower a ladder drawing, in the family that the caller chose."""
+    text = text_of(name, options)
+    if not is_drawing(text):
+        return read(text, options.dialect)
+    ladder, found = read_drawing(text)
+    family = find_dialect(options.dialect)
+    return Program(family, (), source=text, diagnostics=found) if errors(found) else read(lower(ladder, family), family)
 
 
 def scans_of(name: str | None) -> list[dict[str, Any]]:

@@ -157,6 +157,9 @@ def sheet_verb(options: argparse.Namespace) -> int:
     if errors(found) or not program.lines:
         print_findings(found, program)
         return WRONG
+    if options.output.suffix.lower() != ".pdf":
+        msg = f"{options.output}: a worksheet is written as .pdf"
+        raise CallError(msg)
     save_pages(sheet(program, key=options.key), options.output, language())
     print(options.output)
     return RIGHT

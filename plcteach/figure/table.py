@@ -34,8 +34,8 @@ TITLE = Text("堆栈表", "Stack table")
 KEY = Text("（答案）", " (answer key)")
 NAME, DATE = Text("姓名", "Name"), Text("日期", "Date")
 TASK = Text(
-    "在每一行写出该指令执行后堆栈各层的值（0、1或x）。",
-    "Write into each row what the stack holds after the instruction: 0, 1 or x.",
+    "在每一行写出该指令执行后堆栈各层的值（0、1、x，空的层写–）。",
+    "Write into each row what the stack holds after the instruction: 0, 1, x, or – for an empty level.",
 )
 REST = Text("第一个扫描周期；没有列出的位都是0。", "First scan; every bit not listed is 0.")
 GIVEN = Text("输入", "Inputs")

@@ -57,6 +57,7 @@ footer {{ font-size: .8rem; margin-top: .75rem; color: #555; }}
 <script type="module">
 {script}
 mountPlayer(document.getElementById("player"), {{ film: JSON.parse(document.getElementById("film").textContent), lang: "{language}", index: 0 }});
+document.querySelector(".plc-player").focus({{ preventScroll: true }});
 </script>
 </body>
 </html>
