@@ -58,7 +58,9 @@ def call(capsys, tmp_path):
     return one
 
 
-def run_json(call, program: str | bytes, scans: object, watch: str, *more: str, dialect: str = "s7-200") -> SimpleNamespace:
+def run_json(
+    call, program: str | bytes, scans: object, watch: str, *more: str, dialect: str = "s7-200"
+) -> SimpleNamespace:
     files = call.save("p.stl", program), call.save("scans.json", scans)
     return call("run", files[0], "--dialect", dialect, "--inputs", files[1], "--watch", watch, "--json", *more)
 
@@ -124,7 +126,13 @@ def test_run_a_memory_bit_can_be_watched_and_an_edge_lasts_one_scan(call) -> Non
 
 
 @pytest.mark.parametrize(
-    ("program", "dialect"), [(UNDERFLOW, "s7-200"), (UNREADABLE, "s7-200"), ("LD X0\nLD X1\nOUT Y0\n", "fx"), ("LD I0.0\nLPP\n= Q0.0\n", "gutta")]
+    ("program", "dialect"),
+    [
+        (UNDERFLOW, "s7-200"),
+        (UNREADABLE, "s7-200"),
+        ("LD X0\nLD X1\nOUT Y0\n", "fx"),
+        ("LD I0.0\nLPP\n= Q0.0\n", "gutta"),
+    ],
 )
 def test_run_with_an_error_prints_its_diagnostics_and_exits_1(call, program: str, dialect: str) -> None:
     done = run_json(call, program, [{}], "M0", dialect=dialect)
@@ -146,7 +154,11 @@ def test_run_anyway_does_not_run_what_cannot_be_read(call) -> None:
 
 @pytest.mark.parametrize(
     ("program", "dialect"),
-    [("LD X0\nAND X1\nANB\nOUT Y0\n", "fx"), ("LD I0.0\nLPS\nALD\n= Q0.0\n", "gutta"), ("LD %I0.0\nMPP\nST %Q0.0\n", "neza")],
+    [
+        ("LD X0\nAND X1\nANB\nOUT Y0\n", "fx"),
+        ("LD I0.0\nLPS\nALD\n= Q0.0\n", "gutta"),
+        ("LD %I0.0\nMPP\nST %Q0.0\n", "neza"),
+    ],
 )
 def test_run_anyway_stops_where_the_familys_machine_has_a_trap(call, program: str, dialect: str) -> None:
     done = run_json(call, program, [{}], "M0", "--anyway", dialect=dialect)
@@ -154,7 +166,14 @@ def test_run_anyway_stops_where_the_familys_machine_has_a_trap(call, program: st
 
 
 def test_run_without_json_prints_a_table_for_people(call) -> None:
-    done = call("run", call.save("p.stl", BLOCKS), "--dialect", "s7-200", "--inputs", call.save("s.json", [{"I0.0": 1, "I0.1": 1}]))
+    done = call(
+        "run",
+        call.save("p.stl", BLOCKS),
+        "--dialect",
+        "s7-200",
+        "--inputs",
+        call.save("s.json", [{"I0.0": 1, "I0.1": 1}]),
+    )
     assert (done.code, done.err) == (0, "")
     assert [row.split() for row in done.out.splitlines()] == [["scan", "Q0.0"], ["0", "1"]]
 
@@ -303,7 +322,9 @@ def test_check_proof_is_null_unless_equal(call) -> None:
     assert check_json(call, UNDERFLOW, BLOCKS).json()["proof"] is None
 
 
-@pytest.mark.parametrize("student", ["LD I0.0\nA I0.1\nO I0.2\nA I0.3\n= Q0.0\n", "LD I0.0\nA I0.1\nLD I0.2\nA I0.3\nALD\n= Q0.0\n"])
+@pytest.mark.parametrize(
+    "student", ["LD I0.0\nA I0.1\nO I0.2\nA I0.3\n= Q0.0\n", "LD I0.0\nA I0.1\nLD I0.2\nA I0.3\nALD\n= Q0.0\n"]
+)
 def test_check_different_with_a_counterexample_that_run_replays(call, student: str) -> None:
     done = check_json(call, student, BLOCKS)
     verdict = done.json()
@@ -397,7 +418,10 @@ def test_check_dashes_in_a_comment_make_no_drawing(call) -> None:
     assert (done.code, done.json()["status"]) == (0, "equal")
 
 
-@pytest.mark.parametrize(("dialect", "student"), [("fx", "LD X0\nOR Y0\nANI X1\nOUT Y0\n"), ("neza", "LD %I0.0\nOR %Q0.0\nANDN %I0.1\nST %Q0.0\n")])
+@pytest.mark.parametrize(
+    ("dialect", "student"),
+    [("fx", "LD X0\nOR Y0\nANI X1\nOUT Y0\n"), ("neza", "LD %I0.0\nOR %Q0.0\nANDN %I0.1\nST %Q0.0\n")],
+)
 def test_check_a_drawing_is_lowered_to_the_dialect_asked_for(call, dialect: str, student: str) -> None:
     a, b, q = {"fx": ("X0", "X1", "Y0"), "neza": ("%I0.0", "%I0.1", "%Q0.0")}[dialect]
     done = check_json(call, student, f"({a} + {q}) · /{b} -> {q}\n", dialect=dialect)
@@ -408,6 +432,18 @@ def test_check_a_drawing_is_lowered_to_the_dialect_asked_for(call, dialect: str,
 def test_check_takes_a_level(call, level: str) -> None:
     done = check_json(call, BLOCKS, BLOCKS, "--level", level)
     assert (done.code, done.json()["status"]) == (0, "equal")
+
+
+ONE_SCAN_LATER = "LD M0.0\n= Q0.0\nLD I0.0\n= M0.0\n"
+
+
+@pytest.mark.parametrize(
+    ("level", "status"), [("exact", "different"), ("settled", "equal"), ("either", "equal"), (None, "equal")]
+)
+def test_check_settled_accepts_rungs_in_another_order_and_exact_does_not(call, level: str | None, status: str) -> None:
+    reference = "LD I0.0\n= M0.0\nLD M0.0\n= Q0.0\n"
+    verdict = check_json(call, ONE_SCAN_LATER, reference, *(["--level", level] if level else [])).json()
+    assert (verdict["status"], verdict["level"]) == (status, "exact" if level == "exact" else "settled")
 
 
 def test_check_another_level_is_a_wrong_call(call) -> None:
@@ -442,7 +478,9 @@ def at_stdin(monkeypatch, data: bytes) -> None:
 def test_a_file_may_be_standard_input(call, monkeypatch) -> None:
     at_stdin(monkeypatch, BLOCKS.encode())
     scans = call.save("s.json", [{"I0.2": 1, "I0.3": 1}])
-    assert call("run", "-", "--dialect", "s7-200", "--inputs", scans, "--watch", "Q0.0", "--json").json() == [{"Q0.0": 1}]
+    assert call("run", "-", "--dialect", "s7-200", "--inputs", scans, "--watch", "Q0.0", "--json").json() == [
+        {"Q0.0": 1}
+    ]
     at_stdin(monkeypatch, UNDERFLOW.encode())
     assert [one["row"] for one in call("lint", "-", "--dialect", "s7-200", "--json").json()] == [6]
     at_stdin(monkeypatch, BLOCKS.encode())
@@ -495,7 +533,9 @@ def test_a_folder_can_only_be_linted(call, tmp_path) -> None:
     assert call("run", str(tmp_path), "--json").code == 2
 
 
-@pytest.mark.parametrize("argv", [["--help"], ["--version"], ["run", "--help"], ["lint", "--help"], ["check", "--help"]])
+@pytest.mark.parametrize(
+    "argv", [["--help"], ["--version"], ["run", "--help"], ["lint", "--help"], ["check", "--help"]]
+)
 def test_asking_for_help_is_right(call, argv: list[str]) -> None:
     done = call(*argv)
     assert (done.code, done.err) == (0, "")
@@ -521,7 +561,9 @@ def test_lang_chooses_the_language_of_all_words(call) -> None:
         ({"LANG": "en_US.UTF-8", "LC_MESSAGES": "zh_CN.UTF-8"}, True),
     ],
 )
-def test_the_default_language_is_the_environments_else_english(call, monkeypatch, variables: dict[str, str], chinese: bool) -> None:
+def test_the_default_language_is_the_environments_else_english(
+    call, monkeypatch, *, variables: dict[str, str], chinese: bool
+) -> None:
     monkeypatch.delenv("LANG")
     for name, value in variables.items():
         monkeypatch.setenv(name, value)
@@ -557,7 +599,13 @@ def test_check_for_people_says_the_status_and_shows_the_inputs(call, lang: str) 
 @pytest.mark.parametrize("lang", ["en", "zh"])
 @pytest.mark.parametrize(
     ("word", "dialect", "shows"),
-    [("OLD", "s7-200", "S2=S0|S1"), ("ANB", "fx", "ANB"), ("AND(", "neza", "AND("), ("P", "gutta", "P"), ("STK001", "s7-200", "STK001")],
+    [
+        ("OLD", "s7-200", "S2=S0|S1"),
+        ("ANB", "fx", "ANB"),
+        ("AND(", "neza", "AND("),
+        ("P", "gutta", "P"),
+        ("STK001", "s7-200", "STK001"),
+    ],
 )
 def test_explain(call, word: str, dialect: str, shows: str, lang: str) -> None:
     done = call("explain", word, "--dialect", dialect, "--lang", lang)

@@ -8,6 +8,7 @@ from __future__ import annotations
 import io
 import json
 import os
+import random
 import subprocess
 import sys
 import time
@@ -68,56 +69,88 @@ def rows(*lines: str, times: int) -> str:
 
 
 LONG = {
-    "a 10 MB line": "LD I0.0" + "1" * 10_000_000,
-    "a 10 MB line of blanks": " " * 10_000_000,
-    "a line just within 2 MB": "X" * 1_999_999,
-    "100,000 lines without an end": rows("LD I0.0", times=100_000),
-    "100,000 lines of rungs": rows("LD I0.0", "= Q0.0", times=50_000),
-    "100,000 lines of FX": rows("LD X0", "AND X1", times=50_000),
-    "100,000 lines of FX rungs": rows("LD X0", "OUT Y0", times=50_000),
-    "100,000 lines of FX that an ANB meets at last": rows("LD X0", "OUT Y0", times=9_000) + rows("ANB", times=900),
-    "100,000 lines of NEZA": rows("LD %I0.0", "ST %Q0.0", times=50_000),
-    "100,000 unknown words": rows("XYZZY", times=100_000),
-    "100,000 unknown words, each another": "\n".join(f"LDX{number}" for number in range(100_000)),
-    "good and bad lines in turn": rows("LD X0", "OUT Y0", "OUR Y0", times=30_000),
-    "good and bad rungs in turn": rows("LD %I0.0", "ST %Q0.0", "SPQR", times=30_000),
-    "200,000 networks": rows("Network 1", times=200_000),
-    "many statements on each of many rows": rows("a;" * 900, times=1_000),
-    "many instructions on each of many rows": rows("LD I0.0;" * 240, times=1_000),
-    "many FX instructions on each of many rows": rows("LD X0;OUT Y0;" * 150, times=1_000),
-    "many comments opened": "(*" * 900_000,
-    "many comments opened and closed": rows("(**)" * 400, times=1_000),
-    "many parentheses on each of many rows": rows(")" * 1_900, times=1_000),
-    "many slashes": "/" * 1_900_000,
-    "many commas": rows("," * 1_900, times=1_000),
-    "many pushes": rows("LPS", times=20_000),
-    "many FX pushes": "LD X0\n" + rows("MPS", times=19_000),
+    "a 10 MB line": ("s7-200 neza", "LD I0.0" + "1" * 10_000_000),
+    "a 10 MB line of blanks": ("s7-200", " " * 10_000_000),
+    "a line just within 2 MB": ("s7-200 fx", "X" * 1_999_999),
+    "100,000 lines without an end": ("s7-200 gutta", rows("LD I0.0", times=100_000)),
+    "100,000 lines of rungs": ("s7-200 gutta", rows("LD I0.0", "= Q0.0", times=50_000)),
+    "100,000 lines of one rung": ("fx", rows("LD X0", "AND X1", times=50_000)),
+    "100,000 lines of rungs that it must find itself": ("fx", rows("LD X0", "OUT Y0", times=50_000)),
+    "rungs whose reading an ANB settles at last": ("fx", rows("LD X0", "OUT Y0", times=9_000) + rows("ANB", times=900)),
+    "100,000 lines of an accumulator": ("neza", rows("LD %I0.0", "ST %Q0.0", times=50_000)),
+    "100,000 unknown words": ("s7-200 fx", rows("XYZZY", times=100_000)),
+    "100,000 unknown words, each another": ("s7-200 neza", "\n".join(f"LDX{number}" for number in range(100_000))),
+    "good and bad lines in turn": ("fx s7-200", rows("LD X0", "OUT Y0", "OUR Y0", times=30_000)),
+    "good and bad rungs in turn": ("neza", rows("LD %I0.0", "ST %Q0.0", "SPQR", times=30_000)),
+    "200,000 networks": ("s7-200 neza", rows("Network 1", times=200_000)),
+    "good and bad networks in turn": (
+        "s7-200",
+        rows("Network 1", "LD I0.0", "= Q0.0", "Network 2", "AND I0.0", times=20_000),
+    ),
+    "many statements on each of many rows": ("s7-200", rows("a;" * 900, times=1_000)),
+    "many instructions on each of many rows": ("s7-200 gutta", rows("LD I0.0;" * 240, times=1_000)),
+    "many rungs on each of many rows": ("fx", rows("LD X0;OUT Y0;" * 150, times=1_000)),
+    "many comments opened": ("s7-200", "(*" * 900_000),
+    "many comments opened and closed": ("s7-200", rows("(**)" * 400, times=1_000)),
+    "many parentheses on each of many rows": ("neza s7-200", rows(")" * 1_900, times=1_000)),
+    "many slashes": ("s7-200", "/" * 1_900_000),
+    "many commas": ("s7-200", rows("," * 1_900, times=1_000)),
+    "many pushes": ("s7-200 gutta", rows("LPS", times=20_000)),
+    "many pushes upon one load": ("fx neza", "LD X0\n" + rows("MPS", times=19_000)),
 }
+NOTHING_TO_SAY = {"many comments opened and closed", "many commas"}
 
 
-@pytest.mark.parametrize("dialect", ["s7-200", "fx", "neza", "gutta"])
-@pytest.mark.parametrize("name", LONG)
+@pytest.mark.parametrize(
+    ("name", "dialect"), [(name, dialect) for name, (dialects, _) in LONG.items() for dialect in dialects.split()]
+)
 def test_a_text_that_is_far_too_long_is_answered_soon(name: str, dialect: str) -> None:
     with soon():
-        program = read(LONG[name], dialect)
+        program = read(LONG[name][1], dialect)
         found = lint(program)
-    assert errors(found) or "comments opened and closed" in name or "blanks" not in name
+    assert bool(errors(found)) != (name in NOTHING_TO_SAY)
     assert all(len(one.text.en) < 600 and len(one.text.zh) < 600 for one in found)
 
 
-@pytest.mark.parametrize("name", ["a 10 MB line", "100,000 lines of rungs", "100,000 unknown words", "many statements on each of many rows"])
+@pytest.mark.parametrize(
+    "name", ["a 10 MB line", "100,000 lines of rungs", "100,000 unknown words", "many statements on each of many rows"]
+)
 @pytest.mark.parametrize("lang", ["en", "zh"])
 def test_it_is_said_that_a_text_is_too_long(capsys, monkeypatch, name: str, lang: str) -> None:
     with soon():
-        found = lint_json(capsys, monkeypatch, LONG[name].encode(), "s7-200", lang)
-    assert "RDR013" in {one["code"] for one in found}
+        found = lint_json(capsys, monkeypatch, LONG[name][1].encode(), "s7-200", lang)
+    codes = {one["code"] for one in found if one["severity"] == "error"}
+    assert codes & ({"RDR013"} if "rungs" in name or "10 MB" in name else {"RDR013", "RDR016"})
+    assert len(found) < 1_000
 
 
-@pytest.mark.parametrize("name", LONG)
-def test_a_text_that_is_far_too_long_is_judged_soon(name: str) -> None:
-    with soon(2 * HANGS):
-        marks = grade("s7-two-blocks", LONG[name])
+def test_many_remarks_are_no_error(capsys, monkeypatch) -> None:
+    text = "".join(f"LD I0.0\nLD I0.1\nOLD\n= V{number // 8}.{number % 8}\n" for number in range(400))
+    assert not [
+        one for one in lint_json(capsys, monkeypatch, text.encode(), "s7-200", "en") if one["severity"] == "error"
+    ]
+
+
+def test_an_error_is_not_left_out_because_many_remarks_stand_before_it(capsys, monkeypatch) -> None:
+    text = "".join(f"LD I0.0\nLD I0.1\nOLD\n= V{number // 8}.{number % 8}\n" for number in range(400)) + "ADN I0.0\n"
+    assert "RDR001" in {one["code"] for one in lint_json(capsys, monkeypatch, text.encode(), "s7-200", "en")}
+
+
+@pytest.mark.parametrize(
+    "name", ["a 10 MB line", "100,000 lines of rungs", "many statements on each of many rows", "many pushes"]
+)
+def test_a_text_that_is_far_too_long_is_graded_soon(name: str) -> None:
+    with soon():
+        marks = grade("s7-two-blocks", LONG[name][1])
     assert float(marks) == 0.0
+
+
+def test_a_right_program_of_too_many_instructions_is_not_compared_for_ever() -> None:
+    text = "".join(
+        f"LD I0.0\nA I0.1\nLD I0.2\nAN I0.3\nOLD\n= V{number // 8}.{number % 8}\n" for number in range(3_000)
+    )
+    with soon():
+        assert judge("s7-two-blocks", text + "= Q0.0\n").verdict.status in {"unknown", "equal"}
 
 
 NUL = {
@@ -147,6 +180,14 @@ def test_for_people_control_characters_do_not_reach_the_terminal(capsys, monkeyp
 
 
 # Parentheses and depth
+
+
+def lowered(ladder, dialect: str) -> str:
+    """Give the list, or the reason why there is none; any other exception is a fault."""
+    try:
+        return lower(ladder, dialect)
+    except NotRepresentableError as refused:
+        return refused.reason.zh and refused.reason.en
 
 
 @pytest.mark.parametrize("opener", ["AND( %I0.0", "OR(", "AND(N %M0"])
@@ -197,12 +238,7 @@ def test_a_drawing_that_is_deep_but_read_can_be_lowered_or_is_refused_in_words()
     assert not found
     for dialect in DIALECTS:
         with soon():
-            try:
-                text = lower(ladder, dialect)
-            except NotRepresentableError as refused:
-                assert refused.reason.zh
-            else:
-                assert text
+            assert lowered(ladder, dialect)
 
 
 # Addresses
@@ -212,7 +248,9 @@ DIGITS = "1" * 1_000_000
 
 @pytest.mark.parametrize("dialect", DIALECTS)
 @pytest.mark.parametrize("area", ["I0.", "I", "X", "%M", "%I0.", "M", "T", "", "Q0.0, "])
-@pytest.mark.parametrize("digits", [DIGITS, "1" * 1_900, "1" * 4_999, "9" * 13, "٣" * 1_000, "²" * 1_000, "1_000", "0" * 1_900 + "1"])
+@pytest.mark.parametrize(
+    "digits", [DIGITS, "1" * 1_900, "1" * 4_999, "9" * 13, "٣" * 1_000, "²" * 1_000, "1_000", "0" * 1_900 + "1"]
+)
 def test_an_address_of_a_million_digits(dialect: str, area: str, digits: str) -> None:
     with soon():
         for mnemonic in ("LD", "S", "OUT", "LDS", "NOP"):
@@ -231,7 +269,9 @@ def test_a_million_digits_everywhere_else(tmp_path, capsys) -> None:
         text = scans if isinstance(scans, str) else json.dumps(scans)
         (tmp_path / "s.json").write_text(text, encoding="utf-8")
         with soon():
-            code = main(["run", str(tmp_path / "p.stl"), "--inputs", str(tmp_path / "s.json"), "--watch", "Q0.0", "--json"])
+            code = main(
+                ["run", str(tmp_path / "p.stl"), "--inputs", str(tmp_path / "s.json"), "--watch", "Q0.0", "--json"]
+            )
         shown = capsys.readouterr()
         assert code in {0, 2}
         assert len(shown.err) < 1_000
@@ -321,10 +361,19 @@ def test_markup_in_a_drawing_stays_text_in_its_figure() -> None:
         assert not [one for one in ET.fromstring(text).iter() if one.tag.endswith("script")]  # noqa: S314  (our own output)
 
 
-@pytest.mark.parametrize("data", [b"\x00" * 1_000, b"\xff\xfe\x00", os.urandom(4_000), b"PK\x03\x04" + bytes(range(256)), b""])
-def test_any_file_can_be_opened_in_the_workbench(data: bytes) -> None:
+FILES = {
+    "NULs": b"\x00" * 1_000,
+    "half a mark": b"\xff\xfe\x00",
+    "noise": random.Random(200).randbytes(4_000),  # noqa: S311  (the same noise each time)
+    "an archive": b"PK\x03\x04" + bytes(range(256)),
+    "nothing": b"",
+}
+
+
+@pytest.mark.parametrize("name", FILES)
+def test_any_file_can_be_opened_in_the_workbench(name: str) -> None:
     bench = Workbench("LD I0.0\n= Q0.0", "s7-200")
-    bench._asked(bench, {"type": "open", "name": SCRIPT}, [data])
+    bench._asked(bench, {"type": "open", "name": SCRIPT}, [FILES[name]])
     assert isinstance(json.loads(bench.report)["diagnostics"], list)
     assert SCRIPT not in still_of(bench)
 
@@ -385,7 +434,13 @@ BYTES = {
     "UTF-8 cut short": SPOKEN.encode()[:-2] + b"\xe5\x90",
     "a program of the machine": Path(sys.executable).read_bytes()[:200_000],
     "all bytes": bytes(range(256)) * 100,
-    "big5": SPOKEN.replace("动", "動").replace("启", "啟").replace("机", "機").replace("电", "電").replace("钮", "鈕").replace("触", "觸").encode("big5"),
+    "big5": SPOKEN.replace("动", "動")
+    .replace("启", "啟")
+    .replace("机", "機")
+    .replace("电", "電")
+    .replace("钮", "鈕")
+    .replace("触", "觸")
+    .encode("big5"),
 }
 
 
@@ -401,7 +456,18 @@ def test_other_bytes_are_answered_and_nothing_stands_on_stderr(capsys, monkeypat
 def test_a_program_of_its_own_with_every_warning_an_error() -> None:
     for data in (BYTES["all bytes"], NUL["a megabyte of NUL"].encode(), b"LD I0." + DIGITS.encode()):
         done = subprocess.run(
-            [sys.executable, "-W", "error", "-c", "from plcteach.cli import script; script()", "lint", "-", "--json", "--lang", "zh"],
+            [
+                sys.executable,
+                "-W",
+                "error",
+                "-c",
+                "from plcteach.cli import script; script()",
+                "lint",
+                "-",
+                "--json",
+                "--lang",
+                "zh",
+            ],
             cwd=ROOT,
             input=data,
             capture_output=True,
@@ -430,9 +496,73 @@ def test_a_folder_with_a_file_name_that_is_no_text(tmp_path) -> None:
 # Garbage of every kind
 
 PIECES = {
-    "s7-200": ["LD", "LDN", "A", "AN", "O", "ON", "=", "S", "R", "NOT", "EU", "ED", "ALD", "OLD", "LPS", "LRD", "LPP", "LDS", "NOP", "LDI", "=I", "U", "ULD"],
-    "fx": ["LD", "LDI", "AND", "ANI", "OR", "ORB", "ANB", "MPS", "MRD", "MPP", "OUT", "SET", "RST", "PLS", "INV", "LDP", "MEP", "END", "NOP"],
-    "neza": ["LD", "LDN", "LDR", "AND", "AND(", "OR(", "AND(N", "OR(R", ")", "N", "XOR", "MPS", "MRD", "MPP", "ST", "STN", "S", "R", "END"],
+    "s7-200": [
+        "LD",
+        "LDN",
+        "A",
+        "AN",
+        "O",
+        "ON",
+        "=",
+        "S",
+        "R",
+        "NOT",
+        "EU",
+        "ED",
+        "ALD",
+        "OLD",
+        "LPS",
+        "LRD",
+        "LPP",
+        "LDS",
+        "NOP",
+        "LDI",
+        "=I",
+        "U",
+        "ULD",
+    ],
+    "fx": [
+        "LD",
+        "LDI",
+        "AND",
+        "ANI",
+        "OR",
+        "ORB",
+        "ANB",
+        "MPS",
+        "MRD",
+        "MPP",
+        "OUT",
+        "SET",
+        "RST",
+        "PLS",
+        "INV",
+        "LDP",
+        "MEP",
+        "END",
+        "NOP",
+    ],
+    "neza": [
+        "LD",
+        "LDN",
+        "LDR",
+        "AND",
+        "AND(",
+        "OR(",
+        "AND(N",
+        "OR(R",
+        ")",
+        "N",
+        "XOR",
+        "MPS",
+        "MRD",
+        "MPP",
+        "ST",
+        "STN",
+        "S",
+        "R",
+        "END",
+    ],
     "gutta": ["LD", "LDN", "A", "O", "NOT", "P", "N", "ALD", "OLD", "LPS", "LRD", "LPP", "=", "S", "R"],
 }
 OPERANDS = {
@@ -451,12 +581,20 @@ LAYOUT = [
 def texts(dialect: str) -> st.SearchStrategy[str]:
     family = dialect.removesuffix("-smart")
     known = st.builds("{} {}".format, st.sampled_from(PIECES[family]), st.sampled_from(["", *OPERANDS[family]]))
-    part = known | known | st.sampled_from(LAYOUT) | st.sampled_from(PIECES[family] + OPERANDS[family]) | st.text(max_size=6)
+    part = (
+        known
+        | known
+        | st.sampled_from(LAYOUT)
+        | st.sampled_from(PIECES[family] + OPERANDS[family])
+        | st.text(max_size=6)
+    )
     lines = st.lists(known, max_size=25).map("\n".join)
     return st.text(max_size=200) | st.lists(part, max_size=40).map("".join) | lines
 
 
-FUZZ = settings(max_examples=250, deadline=None, suppress_health_check=[HealthCheck.too_slow, HealthCheck.data_too_large])
+FUZZ = settings(
+    max_examples=250, deadline=None, suppress_health_check=[HealthCheck.too_slow, HealthCheck.data_too_large]
+)
 
 
 @pytest.mark.parametrize("dialect", DIALECTS)
@@ -537,10 +675,4 @@ def test_a_garbled_drawing_is_read_and_lowered_or_refused_in_words(text: str) ->
         assert 0 <= one.span.row <= len(text.split("\n")) + 1
     if ladder.rungs:
         for dialect in DIALECTS:
-            try:
-                list_of = lower(ladder, dialect)
-            except NotRepresentableError as refused:
-                assert refused.reason.zh
-                assert refused.reason.en
-            else:
-                assert list_of
+            assert lowered(ladder, dialect)
