@@ -40,7 +40,7 @@ def judge(exercise: Exercise | str, text: str | bytes) -> Judgement:
     """Judge a submission; UnknownNameError if there is no such exercise. The text may be anything at all."""
     task = find_exercise(exercise)
     program = read(text, task.dialect)
-    verdict = verdict_on(reference(task.reference, task.dialect), program)
+    verdict = verdict_on(reference(task.reference, task.dialect), program, task.level)
     return Judgement(task, program, verdict, _marks(verdict, task.points))
 
 

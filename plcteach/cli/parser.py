@@ -57,8 +57,7 @@ def _judging_verbs(verbs: Any, reading: argparse.ArgumentParser) -> None:
     one.add_argument(
         "--level",
         choices=["exact", "settled", "either"],
-        default="either",
-        help="equal at every scan's end, once settled, or either (default)",
+        help="equal at every scan's end, once settled, or either (default: the exercise's, else either)",
     )
     one.add_argument("--json", action="store_true", help="print JSON only")
 

@@ -84,12 +84,13 @@ def check_verb(options: argparse.Namespace) -> int:
     if options.exercise:
         task = exercise(options.exercise)
         options.dialect, drawing = task.dialect, task.reference
+        options.level = options.level or task.level
     if not options.reference and not drawing:
         msg = "check wants --reference FILE or --exercise ID"
         raise CallError(msg)
     student = program_of(options.student, options)
     wanted = reference(text_of(options.reference, options) if options.reference else drawing, options.dialect)
-    verdict = verdict_on(wanted, student, options.level)
+    verdict = verdict_on(wanted, student, options.level or "either")
     if options.json:
         print_json(verdict_json(verdict))
     else:

@@ -20,7 +20,10 @@ class WrongSample:
 
 @dataclass(frozen=True, slots=True)
 class Exercise:
-    """One task. `reference` is a ladder drawing; `points` are the full marks; right and wrong samples test the task."""
+    """One task. `reference` is a ladder drawing; `points` are the full marks; right and wrong samples test the task.
+
+    level: what equal means, "exact", "settled" or "either"; an exercise about pulses, which are gone at rest, asks for "exact".
+    """
 
     id: str
     dialect: str
@@ -31,6 +34,7 @@ class Exercise:
     hints: tuple[Text, ...] = ()
     right: tuple[str, ...] = ()
     wrong: tuple[WrongSample, ...] = ()
+    level: str = "either"
     points: float = 4.0
     order: int = 0
 

@@ -75,6 +75,13 @@ def _text(pair: dict[str, Any]) -> Text:
     return Text(str(pair["zh"]), str(pair["en"]))
 
 
+def _level(word: str) -> str:
+    if word not in {"exact", "settled", "either"}:
+        msg = f"the level is exact, settled or either, not {word!r}"
+        raise ValueError(msg)
+    return word
+
+
 def _hints(pairs: list[dict[str, Any]]) -> tuple[Text, ...]:
     return tuple(_text(pair) for pair in pairs)
 
@@ -103,6 +110,7 @@ _FIELDS: dict[str, Callable[[Any], Any]] = {
     "task": _text,
     "reference": str,
     "start": str,
+    "level": _level,
     "hints": _hints,
     "right": _right,
     "wrong": _wrong,
