@@ -34,9 +34,9 @@ class Exercise:
     hints: tuple[Text, ...] = ()
     right: tuple[str, ...] = ()
     wrong: tuple[WrongSample, ...] = ()
-    level: str = "either"
     points: float = 4.0
     order: int = 0
+    level: str = "either"
 
     def __repr__(self) -> str:
         return f"Exercise({self.id!r}, {self.title.en!r})"
