@@ -56,11 +56,14 @@ class Film:
         return len(self.data["steps"])
 
 
-def film(scans: Iterable[Scan[Column]], title: Text | None = None) -> Film:
-    """Make a film of some scans of one trace; past `MOST_STEPS` steps it ends and says so in its title."""
+def film(scans: Iterable[Scan[Column]], title: Text | None = None, *, rows: bool = False) -> Film:
+    """Make a film of some scans of one trace; past `MOST_STEPS` steps it ends and says so in its title.
+
+    rows: number the lines by their rows in the text, as beside an editor, and not one after the other.
+    """
     shot = list(scans)
     program = shot[0].program
-    maker = _Maker(program)
+    maker = _Maker(program, rows=rows)
     for scan in shot:
         if len(maker.steps) + len(program.lines) >= MOST_STEPS and maker.steps:
             title = joined((title or program.dialect.title, Text("（只放开头部分）", "(the beginning only)")))
@@ -84,6 +87,7 @@ class _Maker:
     """Collects the steps of one film, with the keys of the cells that stand now."""
 
     program: Program
+    rows: bool = False
     steps: list[dict[str, Any]] = field(default_factory=list)
     texts: dict[str, int] = field(default_factory=dict)
     keys: list[list[str]] = field(default_factory=list)
@@ -257,7 +261,7 @@ class _Maker:
             for number, network in enumerate(self.program.networks)
             for line in network.lines
         ]
-        if len({line["row"] for line in lines}) < len(lines):  # several on one row: number them on
+        if not self.rows or len({line["row"] for line in lines}) < len(lines):
             lines = [{**line, "number": number} for number, line in enumerate(lines, 1)]
         firsts = [sum(len(one.lines) for one in self.program.networks[:at]) for at in range(len(self.program.networks))]
         return {

@@ -9,9 +9,9 @@ from __future__ import annotations
 
 import math
 import re
+from html import escape
 from pathlib import Path
 from typing import TYPE_CHECKING
-from xml.sax.saxutils import escape, quoteattr
 
 from plcteach.core.text import language
 from plcteach.figure.ink import COLOURS, INKS, hue
@@ -56,7 +56,7 @@ def _opening(scene: Scene, theme: str, lang: str, title: str, scale: float) -> s
     size = f'width="{_n(scene.width * scale)}" height="{_n(scene.height * scale)}"'
     view = f'viewBox="0 0 {_n(scene.width)} {_n(scene.height)}"'
     tongue = "zh-CN" if lang == "zh" else "en"
-    root = f'class="plc-fig plc-fig-{theme}" role="img" lang="{tongue}" aria-label={quoteattr(title)}'
+    root = f'class="plc-fig plc-fig-{theme}" role="img" lang="{tongue}" aria-label="{escape(title)}"'
     return f'<svg xmlns="http://www.w3.org/2000/svg" {root} {size} {view}>'
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from hashlib import sha256
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -53,6 +54,7 @@ class Workbench(Shown):
         self._film: Film | None = None
         self._ran = ""
         self._seen = ("", "")
+        values.setdefault("filename", f"program-{sha256(text.encode()).hexdigest()[:4]}.stl")  # drafts go by file name
         super().__init__(source=text, inputs=json.dumps(inputs or {}), **values)
         self._answer(cold=True)
         self.observe(self._changed, names=["serial"])
@@ -111,7 +113,7 @@ class Workbench(Shown):
         self._memory = trace.scans[-1].after
         self._scan += 1
         self._ran = self.source
-        self._film = film(trace.scans)
+        self._film = film(trace.scans, rows=True)
 
     def _report(self, program: Program, found: Iterable[Diagnostic], *, good: bool) -> dict[str, Any]:
         wanted = json.loads(self.inputs)

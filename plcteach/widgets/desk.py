@@ -98,7 +98,7 @@ class ExerciseDesk(Shown):
         example = self.judgement.verdict.counterexample if self.judgement else None
         if self.judgement and example:
             trace = run(self.judgement.program, example.inputs)
-            shot = film(trace.scans[-1:], self._exercise.title)
+            shot = film(trace.scans[-1:], self._exercise.title, rows=True)
             with self.hold_sync():
                 self.index = 0
                 self.film = shot.json

@@ -126,7 +126,9 @@ def test_several_scans_follow_each_other_with_their_own_inputs() -> None:
 
 def test_lines_and_networks_are_told_with_their_rows() -> None:
     data = shot("Network 1 // start / LD I0.0 // button / = Q0.0 / Network 2 / LD I0.1 / = Q0.1")
-    assert data["lines"][0] == {"text": "LD I0.0", "comment": "button", "row": 2, "network": 0}
+    assert data["lines"][0] == {"text": "LD I0.0", "comment": "button", "row": 2, "network": 0, "number": 1}
+    beside_an_editor = film(run(read("Network 1\nLD I0.0\n= Q0.0", "s7-200")).scans, rows=True).data["lines"]
+    assert [(one["row"], one.get("number")) for one in beside_an_editor] == [(2, None), (3, None)]
     assert [(one["title"], one["first"]) for one in data["networks"]] == [("Network 1: start", 0), ("Network 2", 2)]
     one_row = film_of("LD I0.0; = Q0.0", "s7-200").data["lines"]
     assert [line["number"] for line in one_row] == [1, 2]
