@@ -26,6 +26,8 @@ from plcteach.machine import run
 if TYPE_CHECKING:
     import argparse
 
+    from plcteach.core.program import Program
+
 RIGHT, WRONG, MISCALLED = 0, 1, 2
 
 
@@ -131,15 +133,23 @@ def explain_verb(options: argparse.Namespace) -> int:
     return RIGHT
 
 
+def _sound(options: argparse.Namespace) -> Program | None:
+    """Read a program that can be shown; print what keeps it from being shown, and give nothing, where there is an error."""
+    program = program_of(options.file, options)
+    found = lint(program)
+    if not errors(found) and program.lines:
+        return program
+    print_findings(found, program)
+    return None
+
+
 def play_verb(options: argparse.Namespace) -> int:
     """Write a player page."""
     from plcteach.figure.film import film
     from plcteach.publish import player_page
 
-    program = program_of(options.file, options)
-    found = lint(program)
-    if errors(found) or not program.lines:
-        print_findings(found, program)
+    program = _sound(options)
+    if program is None:
         return WRONG
     name = Path(options.file).name if options.file != "-" else ""
     shot = film(run(program, scans_of(options.inputs)).scans, same(name) if name else None)
@@ -153,14 +163,12 @@ def sheet_verb(options: argparse.Namespace) -> int:
     from plcteach.figure.mpl import save_pages
     from plcteach.figure.table import sheet
 
-    program = program_of(options.file, options)
-    found = lint(program)
-    if errors(found) or not program.lines:
-        print_findings(found, program)
-        return WRONG
     if options.output.suffix.lower() != ".pdf":
         msg = f"{options.output}: a worksheet is written as .pdf"
         raise CallError(msg)
+    program = _sound(options)
+    if program is None:
+        return WRONG
     save_pages(sheet(program, key=options.key), options.output, language())
     print(options.output)
     return RIGHT
