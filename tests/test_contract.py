@@ -580,7 +580,7 @@ def test_for_people_the_finding_stands_under_its_row(call, lang: str) -> None:
     done = call("lint", call.save("p.stl", UNDERFLOW), "--dialect", "s7-200", "--lang", lang)
     rows = done.out.splitlines()
     assert (done.code, done.err) == (1, "")
-    assert rows[0].startswith("6:1: error STK001")
+    assert rows[0].startswith({"en": "6:1: error STK001", "zh": "6:1: 错误 STK001"}[lang])
     assert (rows[1].strip(), rows[2].strip()) == ("OLD", "^^^")
 
 
@@ -589,7 +589,7 @@ def test_check_for_people_says_the_status_and_shows_the_inputs(call, lang: str) 
     files = call.save("a.stl", "LD I0.0\n= Q0.0\n"), call.save("b.stl", BLOCKS)
     done = call("check", files[0], "--reference", files[1], "--dialect", "s7-200", "--lang", lang)
     assert (done.code, done.err) == (1, "")
-    assert "different" in done.out
+    assert {"en": "different", "zh": "不同"}[lang] in done.out
     assert "I0.0" in done.out
 
 

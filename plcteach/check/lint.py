@@ -6,8 +6,9 @@ from html import escape
 from typing import TYPE_CHECKING
 
 from plcteach.check.rules import PROGRAM_RULES, STACK_RULES
-from plcteach.core.diagnostic import Diagnostic, errors, few
+from plcteach.core.diagnostic import Diagnostic, errors, few, rule
 from plcteach.core.text import Text, language
+from plcteach.dialects import families
 from plcteach.machine.walk import Walk, walks
 from plcteach.stl import read
 
@@ -16,6 +17,7 @@ if TYPE_CHECKING:
     from plcteach.core.spec import Dialect
 
 _BELOW_ALL = 10**9
+_PUZZLING = 3
 
 
 class Findings(tuple[Diagnostic, ...]):
@@ -45,6 +47,7 @@ def lint(program: Program | str, dialect: str | Dialect | None = None) -> Findin
         program = read(program, dialect)
     found = list(program.diagnostics)
     found += [one for row, finder in PROGRAM_RULES.values() for one in finder(program, row)]
+    found += _other_family(program)
     unread = {one.span.row for one in errors(program.diagnostics)}
     judged = list(walks(program))
     starts = [0, *(walk.network.lines[0].span.row for walk in judged[1:]), _BELOW_ALL]
@@ -52,6 +55,18 @@ def lint(program: Program | str, dialect: str | Dialect | None = None) -> Findin
         if not any(start <= row < end for row in unread):
             found += _of_network(walk)
     return Findings(few(sorted(found, key=lambda one: (one.span.row, one.span.start, one.code))))
+
+
+def _other_family(program: Program) -> list[Diagnostic]:
+    """Say so where nearly nothing reads in the family chosen, and nearly everything in another."""
+    unread = len(errors(program.diagnostics))
+    if unread < _PUZZLING or unread < len(program.lines):
+        return []
+    for other in families():
+        if other != program.dialect and len(errors(read(program.source, other).diagnostics)) <= unread // _PUZZLING:
+            names = {"other": other.title, "family": program.dialect.title, "list": other.list}
+            return [rule("RDR017").at(program.diagnostics[0].span, **names)]
+    return []
 
 
 def _of_network(walk: Walk) -> list[Diagnostic]:

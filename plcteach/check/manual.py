@@ -87,13 +87,37 @@ class RuleTable:
         return f"<table>{body}</table>"
 
 
-def explain(word: str = "", dialect: str | Dialect | None = None) -> Card | RulePage | RuleTable:
-    """Explain an instruction (`OLD`), a diagnostic (`STK001`), or with no word list all diagnostics.
+@dataclass(frozen=True, slots=True)
+class InsnTable:
+    """All instructions of one family, with their names and their effects."""
+
+    dialect: Dialect
+
+    def __repr__(self) -> str:
+        lang = language()
+        rows = [(row.mnemonic, row.effect.text, row.title.in_(lang)) for row in self.dialect.insns]
+        return "\n".join(f"{mnemonic:8}{effect:28}{title}" for mnemonic, effect, title in rows)
+
+    def _repr_html_(self) -> str:
+        lang = language()
+        body = "".join(
+            f"<tr><td><code>{escape(row.mnemonic)}</code></td><td>{escape(row.title.in_(lang))}</td>"
+            f"<td><code>{escape(row.effect.text)}</code></td></tr>"
+            for row in self.dialect.insns
+        )
+        return f"<table>{body}</table>"
+
+
+def explain(word: str = "", dialect: str | Dialect | None = None) -> Card | RulePage | RuleTable | InsnTable:
+    """Explain an instruction (`OLD`), a diagnostic (`STK001`), or with no word list all diagnostics (of a dialect: all its instructions).
 
     Without a dialect the first family that has the instruction answers. UnknownNameError suggests the nearest name.
     """
     if not word:
-        return RuleTable()
+        return InsnTable(find_dialect(dialect)) if dialect else RuleTable()
+    word, _, number = word.partition(" ")
+    if number and not dialect:
+        dialect = next((one for one in families() if word.upper() in one.words), None)
     if word.upper() in RULES:
         code = word.upper()
         mine = [find_dialect(dialect)] if dialect else families()

@@ -54,6 +54,28 @@ def table(verdict: Verdict) -> list[Row]:
     return rows
 
 
+_STATUSES = {
+    "equal": Text("相同", "equal"),
+    "different": Text("不同", "different"),
+    "unsettled": Text("停不下来", "unsettled"),
+    "unknown": Text("无法判定", "unknown"),
+    "error": Text("程序有错误", "error"),
+}
+
+
+def summary(verdict: Verdict) -> Text:
+    """Say the status, and how it is known."""
+    status = _STATUSES[verdict.status]
+    if verdict.proof:
+        return Text("{status}：{proof}", "{status}: {proof}").format(status=status, proof=_PROOFS[verdict.proof])
+    if verdict.status == "unknown":
+        return Text(
+            f"{status.zh}：看了{verdict.explored}个状态，没有发现差别",
+            f"{status.en}: no difference in {verdict.explored} states",
+        )
+    return status
+
+
 def headline(judgement: Judgement) -> Text:
     """Say the verdict in one line, the counterexample first where there is one."""
     verdict = judgement.verdict

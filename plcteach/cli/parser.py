@@ -19,13 +19,17 @@ def parser_of_all() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(prog="plcteach", description="Learn how a PLC thinks.")
     parser.add_argument("--version", action="version", version=f"plcteach {__version__}")
     common = argparse.ArgumentParser(add_help=False)
-    common.add_argument("--lang", choices=["en", "zh"], help="language of all messages (default: the environment's)")
+    spoken: dict[str, Any] = {
+        "choices": ["en", "zh"],
+        "help": "language of what is printed (default: the environment's)",
+    }
+    parser.add_argument("--lang", default=None, **spoken)
+    common.add_argument("--lang", default=argparse.SUPPRESS, **spoken)
     family = argparse.ArgumentParser(add_help=False)
-    family.add_argument("--dialect", default=names()[0], choices=names(), help=f"PLC family (default {names()[0]})")
+    family.add_argument("--dialect", choices=names(), help=f"PLC family (default {names()[0]})")
     reading = argparse.ArgumentParser(add_help=False, parents=[common, family])
     reading.add_argument("--encoding", help="encoding to try after UTF-8 (then GBK, cp1252)")
     verbs = parser.add_subparsers(title="verbs", metavar="VERB")
-    parser.set_defaults(lang=None)
     _judging_verbs(verbs, reading)
     _showing_verbs(verbs, common, family)
     _making_verbs(verbs, common, reading)
@@ -36,7 +40,8 @@ def _judging_verbs(verbs: Any, reading: argparse.ArgumentParser) -> None:
 
     one = _verb(verbs, "run", verbs_of.run_verb, [reading], "run a program scan by scan")
     one.add_argument("file", help="the program; - for standard input")
-    one.add_argument("--inputs", help='JSON: a list with one object a scan, {"I0.0": 1, "ms": 10}')
+    what = 'JSON: a list with one object a scan, {"I0.0": 1, "ms": 10}; an input not named keeps its value'
+    one.add_argument("--inputs", help=what)
     one.add_argument("--watch", help="addresses to print, separated by commas (default: all outputs)")
     one.add_argument("--scan-ms", type=int, default=10, help="length of a scan in ms (default 10)")
     one.add_argument("--anyway", action="store_true", help="run past stack errors where the machine has no trap")
@@ -77,19 +82,24 @@ def _showing_verbs(verbs: Any, common: argparse.ArgumentParser, family: argparse
         [common],
         "explain an instruction or a diagnostic; without a word, list all",
     )
-    one.add_argument("word", nargs="*", help="OLD, STK001 …")
+    one.add_argument(
+        "word", nargs="*", help="OLD, LDS 3, STK001 …; with --dialect and no word, list that family's instructions"
+    )
     one.add_argument("--dialect", choices=names(), help="PLC family (default: the first that has it)")
 
 
 def _making_verbs(verbs: Any, common: argparse.ArgumentParser, reading: argparse.ArgumentParser) -> None:
     one = _verb(verbs, "play", verbs_of.play_verb, [reading], "write a player page that needs no kernel and no network")
     one.add_argument("file", help="the program; - for standard input")
-    one.add_argument("--inputs", help="JSON, as for run")
+    one.add_argument(
+        "--inputs", help="JSON, as for run (default: one scan with inputs that tell the instructions apart)"
+    )
     one.add_argument("-o", "--output", type=Path, required=True, help="the page, such as player.html")
 
     one = _verb(verbs, "sheet", verbs_of.sheet_verb, [reading], "write a worksheet: an empty stack table as PDF")
     one.add_argument("file", help="the program; - for standard input")
     one.add_argument("-o", "--output", type=Path, required=True, help="the PDF")
+    one.add_argument("--inputs", help="JSON, as for run; its first scan is used (default: chosen to tell AND from OR)")
     one.add_argument("--key", action="store_true", help="with the answers filled in")
 
     one = _verb(verbs, "lab", verbs_of.lab_verb, [common], "open the lessons in JupyterLab")
@@ -97,7 +107,7 @@ def _making_verbs(verbs: Any, common: argparse.ArgumentParser, reading: argparse
         "folder",
         nargs="?",
         type=Path,
-        help="where the lessons are copied (default: the checkout, else ./plcteach-lessons)",
+        help="copy the lessons there and work on the copies (default: the checkout's own, else ./plcteach-lessons)",
     )
     one.add_argument("--no-browser", action="store_true", help="do not open a browser")
 
@@ -106,7 +116,7 @@ def _verb(
     verbs: Any, name: str, verb: Callable[[argparse.Namespace], int], parents: list[argparse.ArgumentParser], text: str
 ) -> argparse.ArgumentParser:
     one: argparse.ArgumentParser = verbs.add_parser(
-        name, parents=parents, help=text, description=text.capitalize() + "."
+        name, parents=parents, help=text, description=text[0].upper() + text[1:] + "."
     )
     one.set_defaults(verb=verb)
     return one

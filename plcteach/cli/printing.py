@@ -7,6 +7,7 @@ import sys
 import unicodedata
 from typing import TYPE_CHECKING, Any
 
+from plcteach.check.report import summary
 from plcteach.core.text import Text, language
 
 if TYPE_CHECKING:
@@ -75,7 +76,7 @@ def verdict_json(verdict: Verdict) -> dict[str, Any]:
 
 def print_verdict(verdict: Verdict) -> None:
     """Print the status, and the scans that tell the two programs apart."""
-    print(verdict.status + (f" ({verdict.proof})" if verdict.proof else ""))
+    print(summary(verdict).in_(language()))
     example = verdict.counterexample
     if example is None:
         return
@@ -89,7 +90,10 @@ def print_verdict(verdict: Verdict) -> None:
             [number, *(held.get(name, 0) for name in inputs), *(f"{expected[name]} / {got[name]}" for name in expected)]
         )
     heads = [f"{name} {say('应为/实际', 'expected/got')}" for name in example.expected[0]]
-    print_table(["scan", *inputs, *heads], table)
+    print_table([say("扫描", "scan"), *inputs, *heads], table)
+
+
+_SEVERITIES = {"error": Text("错误", "error"), "warning": Text("警告", "warning"), "info": Text("提示", "info")}
 
 
 def print_findings(found: Sequence[Diagnostic], program: Program) -> None:
@@ -97,7 +101,8 @@ def print_findings(found: Sequence[Diagnostic], program: Program) -> None:
     lang = language()
     rows = program.source.split("\n")
     for one in found:
-        print(f"{one.span.row}:{one.span.start + 1}: {one.severity} {one.code}: {one.text.in_(lang)}")
+        severity = _SEVERITIES[one.severity].in_(lang)
+        print(f"{one.span.row}:{one.span.start + 1}: {severity} {one.code}: {one.text.in_(lang)}")
         if 0 < one.span.row <= len(rows):
             row = "".join(sign if sign.isprintable() else " " for sign in rows[one.span.row - 1].rstrip("\r")[:200])
             print(f"    {row}")

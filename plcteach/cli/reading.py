@@ -11,11 +11,14 @@ from plcteach.core.diagnostic import errors
 from plcteach.core.program import Program
 from plcteach.core.source import decode
 from plcteach.dialects import dialect as find_dialect
+from plcteach.dialects import names
 from plcteach.ladder import is_drawing, lower, read_drawing
 from plcteach.stl import read
 
 if TYPE_CHECKING:
     import argparse
+
+    from plcteach.core.spec import Dialect
 
 
 class CallError(Exception):
@@ -37,13 +40,18 @@ def text_of(name: str, options: argparse.Namespace) -> str:
     return decode(_content(name), options.encoding)
 
 
+def family_of(options: argparse.Namespace) -> Dialect:
+    """Give the family that the caller chose, or the default."""
+    return find_dialect(options.dialect or names()[0])
+
+
 def program_of(name: str, options: argparse.Namespace) -> Program:
     """Read a program file, or lower a ladder drawing, in the family that the caller chose."""
     text = text_of(name, options)
     if not is_drawing(text):
-        return read(text, options.dialect)
+        return read(text, family_of(options))
     ladder, found = read_drawing(text)
-    family = find_dialect(options.dialect)
+    family = family_of(options)
     return Program(family, (), source=text, diagnostics=found) if errors(found) else read(lower(ladder, family), family)
 
 
@@ -61,8 +69,8 @@ def scans_of(name: str | None) -> list[dict[str, Any]]:
         raise CallError(msg)
     for row in rows:
         for address, value in row.items():
-            if not isinstance(value, int):
-                msg = f"{name}: {address} should be 0, 1 or a whole number"
+            if not isinstance(value, int) or (address != "ms" and value not in (0, 1)):
+                msg = f"{name}: {address} is a bit, so it is 0 or 1"
                 raise CallError(msg)
     return rows
 

@@ -16,10 +16,9 @@ from plcteach.cli.printing import (
     say,
     verdict_json,
 )
-from plcteach.cli.reading import CallError, program_of, scans_of, text_of, watched_of
+from plcteach.cli.reading import CallError, family_of, program_of, scans_of, text_of, watched_of
 from plcteach.core.diagnostic import errors
 from plcteach.core.text import language, same
-from plcteach.dialects import dialect as find_dialect
 from plcteach.exercises import exercise
 from plcteach.machine import run
 
@@ -29,6 +28,7 @@ if TYPE_CHECKING:
     from plcteach.core.program import Program
 
 RIGHT, WRONG, MISCALLED = 0, 1, 2
+_NO_PROGRAMS = {".md", ".json", ".html", ".pdf", ".png", ".svg", ".ipynb", ".py", ".toml", ".zip"}
 
 
 def run_verb(options: argparse.Namespace) -> int:
@@ -48,7 +48,7 @@ def run_verb(options: argparse.Namespace) -> int:
     if options.json:
         print_json(rows)
     else:
-        print_table(["scan", *watched], [[number, *row.values()] for number, row in enumerate(rows)])
+        print_table([say("扫描", "scan"), *watched], [[number, *row.values()] for number, row in enumerate(rows)])
         print_findings(trace.diagnostics, program)
     return RIGHT
 
@@ -70,14 +70,25 @@ def lint_verb(options: argparse.Namespace) -> int:
 
 
 def _lint_folder(folder: Path, options: argparse.Namespace) -> int:
-    files = sorted(path for path in folder.rglob("*") if path.is_file() and not path.name.startswith("."))
-    found = {str(path.relative_to(folder)): lint(program_of(str(path), options)) for path in files}
+    files = sorted(path for path in folder.rglob("*") if path.is_file() and _may_be_program(path))
+    programs = {str(path.relative_to(folder)): program_of(str(path), options) for path in files}
+    found = {name: lint(program) for name, program in programs.items()}
     if options.json:
         print_json({name: [finding_json(one) for one in each] for name, each in found.items()})
+    elif not found:
+        print(say("这个文件夹里没有程序。", "There is no program in this folder."))
     else:
+        for name, each in found.items():
+            if each:
+                print(f"== {name}")
+                print_findings(each, programs[name])
         rows = [[name, len(errors(each)), len(each) - len(errors(each))] for name, each in found.items()]
         print_table([say("文件", "file"), say("错误", "errors"), say("其他", "others")], rows)
     return WRONG if any(errors(each) for each in found.values()) else RIGHT
+
+
+def _may_be_program(path: Path) -> bool:
+    return not path.name.startswith(".") and path.suffix.lower() not in _NO_PROGRAMS
 
 
 def check_verb(options: argparse.Namespace) -> int:
@@ -85,13 +96,16 @@ def check_verb(options: argparse.Namespace) -> int:
     drawing = ""
     if options.exercise:
         task = exercise(options.exercise)
+        if options.dialect not in {None, task.dialect}:
+            msg = f"exercise {task.id} is for {task.dialect}, not for {options.dialect}"
+            raise CallError(msg)
         options.dialect, drawing = task.dialect, task.reference
         options.level = options.level or task.level
     if not options.reference and not drawing:
         msg = "check wants --reference FILE or --exercise ID"
         raise CallError(msg)
     student = program_of(options.student, options)
-    wanted = reference(text_of(options.reference, options) if options.reference else drawing, options.dialect)
+    wanted = reference(text_of(options.reference, options) if options.reference else drawing, family_of(options))
     verdict = verdict_on(wanted, student, options.level or "either")
     if options.json:
         print_json(verdict_json(verdict))
@@ -106,7 +120,7 @@ def figure_verb(options: argparse.Namespace) -> int:
     from plcteach.figure.stack import illustrate
     from plcteach.figure.svg import svg
 
-    scene = illustrate(find_dialect(options.dialect), options.mnemonic.upper(), options.number)
+    scene = illustrate(family_of(options), options.mnemonic.upper(), options.number)
     if options.output is None:
         print(svg(scene, language()))
     elif options.output.suffix == ".svg":
@@ -146,13 +160,15 @@ def _sound(options: argparse.Namespace) -> Program | None:
 def play_verb(options: argparse.Namespace) -> int:
     """Write a player page."""
     from plcteach.figure.film import film
+    from plcteach.figure.table import telling_inputs
     from plcteach.publish import player_page
 
     program = _sound(options)
     if program is None:
         return WRONG
     name = Path(options.file).name if options.file != "-" else ""
-    shot = film(run(program, scans_of(options.inputs)).scans, same(name) if name else None)
+    scans = scans_of(options.inputs) if options.inputs else [telling_inputs(program)]
+    shot = film(run(program, scans).scans, same(name) if name else None)
     options.output.write_text(player_page(shot), encoding="utf-8")
     print(options.output)
     return RIGHT
@@ -169,7 +185,8 @@ def sheet_verb(options: argparse.Namespace) -> int:
     program = _sound(options)
     if program is None:
         return WRONG
-    save_pages(sheet(program, key=options.key), options.output, language())
+    inputs: dict[str, int] | None = dict(*scans_of(options.inputs)[:1]) if options.inputs else None
+    save_pages(sheet(program, key=options.key, inputs=inputs), options.output, language())
     print(options.output)
     return RIGHT
 

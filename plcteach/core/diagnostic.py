@@ -39,7 +39,8 @@ class Rule:
 
     def at(self, span: Span, **values: object) -> Diagnostic:
         """Make a finding of this rule at a place, its named places filled."""
-        return Diagnostic(self.code, self.severity, span, self.says.format(**values))
+        said = self.says.format(**values)
+        return Diagnostic(self.code, self.severity, span, Text(said.zh.strip(), said.en.strip()))
 
 
 @dataclass(frozen=True, slots=True)
@@ -297,6 +298,19 @@ _ROWS = (
             "Nobody reads hundreds of findings; mend the first few, and many of the others go with them.",
         ),
     ),
+    Rule(
+        "RDR017",
+        "other-family",
+        "info",
+        Text(
+            "这看起来像{other}的{list}，而不是{family}的。机型选对了吗？",
+            "This reads like the {list} of {other}, not of {family}. Is it the right family?",
+        ),
+        Text(
+            "各家的助记符和地址不同：同一份文本换一个机型来读，往往处处是错。",
+            "Each maker has its own mnemonics and addresses; a list read as another family's is wrong almost everywhere.",
+        ),
+    ),
     # STK: the stack, whatever the values
     Rule(
         "STK001",
@@ -359,7 +373,7 @@ _ROWS = (
         "error",
         Text(
             "本{unit}结束时堆栈里还剩{count}个没有用过的值（来自第{rows}行）。它该和谁连接，或由谁输出？",
-            "When this {unit} ends, {count} unused value(s) are still on the stack (from row {rows}). What should join or output them?",
+            "This {unit} ends with unused values on the stack: {count} (row {rows}). What should join or output them?",
         ),
         Text(
             "每个放进堆栈的值都应当被连接或输出；剩下的值说明少了一条连接指令或出栈指令。",

@@ -19,13 +19,19 @@ class DeclarationError(PlcTeachError):
     """A table row is incomplete or contradicts itself; raised at import and names the row."""
 
 
+_FEW = 12
+
+
 class UnknownNameError(PlcTeachError, LookupError):
     """A dialect, instruction, exercise or diagnostic that nobody declared, with a "did you mean"."""
 
     def __init__(self, kind: str, name: str, known: Iterable[str]) -> None:
         """Remember the kind and name asked for and the nearest known names."""
-        self.near = nearest(name, known)
+        names = sorted(known)
+        self.near = nearest(name, names)
         hint = f" Did you mean {' or '.join(self.near)}?" if self.near else ""
+        if not hint and 0 < len(names) <= _FEW:
+            hint = f" There is: {', '.join(names)}."
         super().__init__(f"There is no {kind} called {name[:60]!r}.{hint}")
 
 

@@ -86,7 +86,7 @@ FX = Dialect(
         "MC MCR STL RET MOV MOVP DMOV CMP DCMP ZCP ADD DADD SUB DSUB MUL DIV INC INCP DEC DECP SFTL SFTLP SFTR ZRST BMOV FMOV "
         "XCH BCD BIN WAND WOR WXOR NEG ROR ROL DECO ENCO MEAN ANS ANR SQR FLT REF HSCS PLSY PWM IST ALT ALTP RAMP CJ CALL "
         "SRET IRET EI DI FEND WDT FOR NEXT ZRSTP TO FROM LD= LD> LD< LD<> LD>= LD<= AND= AND> AND< AND<> OR= OR> OR<".split()
-    ),
+    ) | frozenset({"OUT T", "OUT C"}),
     specials={"M8000": "on", "M8001": "off", "M8002": "first", "M8003": "later"},
     note_octal=Text("X和Y按八进制编号，X7之后是X10，没有8和9。", "X and Y count in octal: X10 follows X7, and there is no 8 or 9."),
     examples=(

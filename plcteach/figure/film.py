@@ -78,7 +78,7 @@ _LOST = Text(
 )
 _LEFT = Text(
     "本{unit}到此结束，堆栈里还剩{count}没有用过的值。",
-    "The {unit} ends here with {count} unused value(s) still on the stack.",
+    "The {unit} ends here; unused values left on the stack: {count}.",
 )
 
 

@@ -29,6 +29,8 @@ def player_page(film: Film, lang: str | None = None) -> str:
         title=title,
         styles=styles("player.css"),
         foot=escape(_FOOT.in_(lang)),
+        zh=escape(_FOOT.zh),
+        en=escape(_FOOT.en),
         data=data,
         script=script("player.js").replace("</", "<\\/"),
         language=lang,
@@ -45,18 +47,27 @@ _PAGE = """<!doctype html>
 <style>
 body {{ margin: 0; padding: 1rem; font-family: system-ui, sans-serif; background: #fff; color: #1b1b1b; }}
 h1 {{ position: absolute; width: 1px; height: 1px; overflow: hidden; clip-path: inset(50%); margin: 0; }}
-footer {{ font-size: .8rem; margin-top: .75rem; color: #555; }}
+footer {{ max-width: 1400px; margin: .75rem auto 0; font-size: .8rem; color: #555; }}
 @media (prefers-color-scheme: dark) {{ body {{ background: #16181c; color: #e8e8e8; }} footer {{ color: #b0b0b0; }} }}
 {styles}
+#player .plc-player:not(:fullscreen) {{ max-width: min(1400px, 100%); }}
+@media (min-width: 1400px) {{ .plc-player {{ --plc-base: clamp(15px, min(1.15vw, 2vh), 20px); }} }}
 </style>
 </head>
 <body>
 <main><h1>{title}</h1><div id="player"></div></main>
-<footer>{foot}</footer>
+<footer data-zh="{zh}" data-en="{en}">{foot}</footer>
 <script type="application/json" id="film">{data}</script>
 <script type="module">
 {script}
-mountPlayer(document.getElementById("player"), {{ film: JSON.parse(document.getElementById("film").textContent), lang: "{language}", index: 0 }});
+const shown = JSON.parse(document.getElementById("film").textContent);
+const followLanguage = (lang) => {{
+  const foot = document.querySelector("footer");
+  document.documentElement.lang = lang === "zh" ? "zh-CN" : "en";
+  document.title = document.querySelector("h1").textContent = say(shown.title, lang);
+  foot.textContent = foot.dataset[lang];
+}};
+mountPlayer(document.getElementById("player"), {{ film: shown, lang: "{language}", index: 0, onLang: followLanguage }});
 document.querySelector(".plc-player").focus({{ preventScroll: true }});
 </script>
 </body>

@@ -149,6 +149,8 @@ class _Reading:
             self.say(
                 "RDR006", word.span, word=word.shown, area=found.title, first=found.first, last=found.last, note=note
             )
+        elif f"{insn.mnemonic} {found.area}" in self.dialect.recognised:
+            self.say("RDR002", word.span, word=f"{insn.mnemonic} {found.text}")
         elif found.area not in self.dialect.kinds[operand.kind].areas:
             self.say("RDR007", word.span, word=insn.mnemonic, address=found.text, expected=expected)
         else:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 
 from plcteach.check import judge, reference, verdict_on
@@ -125,6 +127,25 @@ def test_the_desk_gets_plain_data() -> None:
     }  # fmt: skip
     right = verdict_json(judge(task("--[ I0.0 ]--( Q0.0 )"), "LD I0.0\n= Q0.0\n"))
     assert (right["rows"], right["canShow"]) == ([], False)
+
+
+PULSE = "--[P I0.0 ]--( Q0.0 )"
+NEVER = "LD I0.0\nAN I0.0\n= Q0.0\n"
+
+
+def test_an_exercise_about_pulses_asks_for_exact() -> None:
+    exact = replace(task(PULSE), level="exact")
+    assert judge(exact, NEVER).verdict.status == "different"
+    assert judge(exact, NEVER).marks == 0
+    assert judge(exact, "LD I0.0\nEU\n= Q0.0\n").marks == 4
+
+
+def test_a_right_program_that_reacts_later_is_right_and_told_so() -> None:
+    late = "LD M0.0\nA I0.1\n= Q0.0\nLD I0.0\n= M0.0\n"
+    judged = judge(task("--[ I0.0 ]--[ I0.1 ]--( Q0.0 )"), late)
+    assert (judged.verdict.status, judged.verdict.level, judged.marks) == ("equal", "settled", 4)
+    assert [(one.code, one.severity) for one in judged.verdict.diagnostics] == [("CHK003", "info")]
+    assert judge(replace(judged.exercise, level="exact"), late).verdict.status == "different"
 
 
 # References.

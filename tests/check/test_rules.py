@@ -43,6 +43,7 @@ def test_every_rule_about_a_text_has_a_sample_or_a_test_of_its_own(code: str) ->
         "RDR013": test_a_text_that_is_too_long,
         "RDR015": test_variables_that_never_end,
         "RDR016": test_more_findings_than_anyone_reads,
+        "RDR017": test_a_list_of_another_family_is_recognised,
     }
     assert code in {sample.code for _, sample in SAMPLES} or code in here
 
@@ -65,6 +66,16 @@ def test_more_findings_than_anyone_reads() -> None:
     assert found[-1].span.row == MOST_FINDINGS + 1
     exactly = lint(read("LD I0.9\n" * MOST_FINDINGS, "s7-200"))
     assert {one.code for one in exactly} == {"RDR006"}
+
+
+def test_a_list_of_another_family_is_recognised() -> None:
+    fx = "LD X0\nOR X1\nANI X2\nOUT Y0\nEND\n"
+    said = [one for one in lint(read(fx, "s7-200")) if one.code == "RDR017"]
+    assert [(one.severity, one.span.row) for one in said] == [("info", 1)]
+    assert "Mitsubishi FX" in said[0].text.en
+    assert "三菱FX" in said[0].text.zh
+    assert lint(read(fx, "fx")) == ()
+    assert "RDR017" not in {one.code for one in lint(read("LD I0.9\nA I0.9\nO I0.9\n= Q0.9\n", "s7-200"))}
 
 
 @pytest.mark.parametrize("code", [code for code in RULES if code[:3] not in {"STK", "COI", "RDR"}])

@@ -402,12 +402,7 @@ def test_in_time_small_changes_are_told_apart_as_well(one: list[Rung], data: st.
 
 
 def agrees(one: list[Rung], other: list[Rung]) -> None:
-    # bits that one of the two reads and nobody writes would be free inputs of the comparison; here they are 0
-    written = {each.target for each in one} | {each.target for each in other}
-    if not {name for rungs in (one, other) for each in rungs for name in named(each.tree)} <= written | {
-        "I0.0",
-        "I0.1",
-    }:
+    if not closed(one, other):
         return
     mine, theirs = read(text_of(one), "s7-200"), read(text_of(other), "s7-200")
     verdict = checked(mine, theirs)
@@ -417,6 +412,12 @@ def agrees(one: list[Rung], other: list[Rung]) -> None:
         assert verdict.counterexample is not None
         assert len(verdict.counterexample.inputs) == scans
     assert checked(theirs, mine).status == verdict.status
+
+
+def closed(one: list[Rung], other: list[Rung]) -> bool:
+    """Say whether some of the two writes every bit that they read; a bit that nobody writes would be one more input."""
+    written = {each.target for each in (*one, *other)} | {"I0.0", "I0.1"}
+    return {name for each in (*one, *other) for name in named(each.tree)} <= written
 
 
 def named(tree: Tree) -> set[str]:
@@ -434,6 +435,98 @@ def test_a_small_budget_is_never_wrong(one: list[Rung], other: list[Rung], most:
     assert verdict.status in {whole.status, "unknown"}
     for address, status in verdict.outputs.items():
         assert status in {whole.outputs[address], "unknown"}
+
+
+# At rest: inputs are held until nothing changes any more, and only then are the outputs compared.
+
+LATE = ("LD I0.0 / = M0.0 / LD M0.0 / = Q0.0", "LD M0.0 / = Q0.0 / LD I0.0 / = M0.0")
+
+
+def test_the_order_of_rungs_counts_exactly_and_not_at_rest() -> None:
+    mine, theirs = map(program, LATE)
+    assert checked(mine, theirs).status == "different"
+    settled = compare(mine, theirs, level="settled")
+    assert (settled.status, settled.level) == ("equal", "settled")
+    verdict = checked(mine, theirs, level="either")
+    assert (verdict.status, verdict.level) == ("equal", "settled")
+    assert [(one.code, one.severity) for one in verdict.diagnostics] == [("CHK003", "info")]
+    same_scan = checked(mine, mine, level="either")
+    assert (same_scan.level, same_scan.diagnostics) == ("exact", ())
+
+
+def test_what_differs_at_rest_differs_either_way_and_the_inputs_are_held() -> None:
+    mine, theirs = program(LATE[0]), program("LD M0.0 / NOT / = Q0.0 / LD I0.0 / = M0.0")
+    assert checked(mine, theirs, level="either").level == "exact"
+    verdict = compare(mine, theirs, level="settled")
+    assert verdict.status == "different"
+    rested(mine, theirs, verdict)
+
+
+def test_a_program_that_never_rests_is_called_so() -> None:
+    flicker = program("LD I0.0 / AN Q0.0 / = Q0.0")
+    verdict = compare(program("LD I0.0 / = Q0.0"), flicker, level="settled")
+    assert (verdict.status, verdict.outputs) == ("unsettled", {"Q0.0": "unsettled"})
+    assert compare(program("LD I0.0 / = Q0.0"), flicker, level="either").status == "different"
+
+
+def rested(reference: Program, student: Program, verdict: Verdict) -> None:
+    """Replay a counterexample at rest: the last scan differs, and holding its inputs for one more changes nothing."""
+    example = verdict.counterexample
+    assert example is not None
+    for one, shown in ((reference, example.expected), (student, example.got)):
+        trace = run(one, [*example.inputs, example.inputs[-1]])
+        for address in verdict.outputs:
+            assert trace[address][:-1] == "".join(scan[address] for scan in shown)
+            assert trace[address][-1] == trace[address][-2]
+    assert example.expected[-1][example.address] != example.got[-1][example.address]
+
+
+def at_rest(rungs: list[Rung], state: dict[str, int], bits: tuple[int, int]) -> dict[str, int] | None:
+    for _ in range(40):
+        after = scan(rungs, state, bits)
+        if after == state:
+            return after
+        state = after
+    return None
+
+
+def rest_outcomes(one: list[Rung], other: list[Rung]) -> set[str]:
+    """Search both from power-on, at rest after each change of the inputs; give what is met: a difference, unrest."""
+    start = (("M0.0", 0), ("M0.1", 0), ("Q0.0", 0))
+    seen, waiting, met = {(start, start)}, [(start, start)], set()
+    while waiting:
+        mine, theirs = waiting.pop()
+        for bits in product((0, 1), repeat=2):
+            after = at_rest(one, dict(mine), bits), at_rest(other, dict(theirs), bits)
+            if after[0] is None or after[1] is None:
+                met.add("unsettled")
+                continue
+            if after[0]["Q0.0"] != after[1]["Q0.0"]:
+                met.add("different")
+                continue
+            pair = tuple(after[0].items()), tuple(after[1].items())
+            if pair not in seen:
+                seen.add(pair)  # type: ignore[arg-type]
+                waiting.append(pair)  # type: ignore[arg-type]
+    return met
+
+
+@settings(max_examples=50, deadline=None)
+@given(one=LISTS, other=LISTS)
+def test_at_rest_the_verdict_is_the_truth_too(one: list[Rung], other: list[Rung]) -> None:
+    if not closed(one, other):
+        return
+    mine, theirs = read(text_of(one), "s7-200"), read(text_of(other), "s7-200")
+    exact, settled = compare(mine, theirs), compare(mine, theirs, level="settled")
+    if settled.proof != "structural":
+        assert settled.status in (rest_outcomes(one, other) or {"equal"})
+    if settled.status == "different":
+        rested(mine, theirs, settled)
+    if exact.status == "equal":
+        assert settled.status != "different"
+    chosen = compare(mine, theirs, level="either")
+    assert (chosen.status == "equal") == ("equal" in {exact.status, settled.status})
+    assert chosen.level == ("settled" if chosen.status == "equal" and exact.status != "equal" else "exact")
 
 
 @settings(max_examples=60, deadline=None)

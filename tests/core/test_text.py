@@ -127,7 +127,7 @@ def test_an_unknown_name_is_a_lookup_error_that_suggests_the_nearest() -> None:
     assert isinstance(error, LookupError)
     assert isinstance(error, PlcTeachError)
     assert str(error) == "There is no dialect called 's7200'. Did you mean s7-200?"
-    assert str(UnknownNameError("dialect", "zzz", ["fx"])) == "There is no dialect called 'zzz'."
+    assert str(UnknownNameError("dialect", "zzz", ["fx"])) == "There is no dialect called 'zzz'. There is: fx."
     assert len(str(UnknownNameError("dialect", "q" * 10_000, ["fx"]))) < 200
 
 

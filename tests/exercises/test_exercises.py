@@ -97,6 +97,13 @@ def test_a_teachers_own_file_is_read(tmp_path: Path) -> None:
     assert (plain.points, plain.start, plain.hints, plain.right) == (4.0, "", (), ())
 
 
+def test_a_file_may_ask_for_a_level() -> None:
+    assert parse(GOOD, "mine").level == "either"
+    assert parse(GOOD + 'level = "exact"\n', "mine").level == "exact"
+    with pytest.raises(DeclarationError, match="level"):
+        parse(GOOD + 'level = "roughly"\n', "mine")
+
+
 def test_a_family_that_nobody_knows_is_named_when_it_is_needed() -> None:
     with pytest.raises(UnknownNameError, match="fxx"):
         judge(parse(GOOD.replace('"fx"', '"fxx"'), "mine"), "LD X0")

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from plcteach.check.rules.registry import STACK_RULES, finds
 from plcteach.core.diagnostic import Note
 from plcteach.core.effect import At, Name
-from plcteach.core.text import NOTHING, Text, same
+from plcteach.core.text import NOTHING, Text
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -203,7 +203,8 @@ def _single(walk: Walk, row: Rule, join: str, sign: str) -> Iterator[Diagnostic]
         if single:
             operand = load.line.text.partition(" ")[2]
             finding = row.at(load.line.span, single=f"{single} {operand}", load=load.line.text, join=move.line.text)
-            joined = same(f"{load.line.text} + {move.line.text} → {single} {operand}")
+            together = f"{load.line.text} + {move.line.text} → {single} {operand}"
+            joined = Text(f"与这一行合成一条：{together}", f"one with this row: {together}")
             yield replace(finding, notes=(Note(move.line.span, joined),))
 
 
