@@ -39,7 +39,7 @@ from plcteach.stl import read, write
 from plcteach.widgets import ExerciseDesk, Workbench
 
 ROOT = Path(__file__).parents[1]
-HANGS = 5.0
+HANGS = 60.0
 SCRIPT = "<script>alert(1)</script>"
 DIALECTS = names()
 

@@ -3,6 +3,7 @@
 step       a step in the player against the same kind of picture drawn again by matplotlib
 traced     traced instructions a second against a bare loop over nine opcodes that keeps a trace of its own
 imports    `import plcteach` against bare Python, each in a fresh process
+hostile    texts made to hang a reader
 columns    equivalence over 2^n rows by columns against the same rows one by one
 """
 
@@ -207,7 +208,25 @@ def columns() -> None:
         show("columns: are two lists the same?", *rows)
 
 
-BENCHMARKS = {one.__name__: one for one in (step, traced, imports, columns)}
+def hostile() -> None:
+    """Show how long hostile texts take to be read and judged, beside an honest lesson's program."""
+    from plcteach.check import lint
+    from plcteach.stl import read
+
+    texts = {
+        "an honest program of 14 lines": ("s7-200", PROGRAM.replace("; ", "\n")),
+        "a line of 10 MB": ("s7-200", "LD I0.0" + "x" * 10_000_000),
+        "100,000 lines of rungs": ("s7-200", "LD I0.0\n= Q0.0\n" * 50_000),
+        "100,000 lines of nonsense": ("fx", "qwx\n" * 100_000),
+        "NUL bytes": ("s7-200", "LD I0.0\x00\n" * 10_000),
+        "10,000 nested parentheses": ("neza", "LD %I0.0\n" + "AND( %I0.1\n" * 10_000),
+        "an address of a million digits": ("s7-200", "LD I" + "9" * 1_000_000 + ".0"),
+    }
+    rows = [(name, f"{best(lambda d=d, t=t: lint(read(t, d)), 2) * 1e3:.0f} ms") for name, (d, t) in texts.items()]
+    show("hostile: reading and judging (the issue allows a second)", *rows)
+
+
+BENCHMARKS = {one.__name__: one for one in (step, traced, imports, columns, hostile)}
 
 if __name__ == "__main__":
     for wanted in sys.argv[1:] or BENCHMARKS:
