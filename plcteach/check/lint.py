@@ -9,7 +9,7 @@ from plcteach.check.rules import PROGRAM_RULES, STACK_RULES
 from plcteach.core.diagnostic import Diagnostic, errors, few, rule
 from plcteach.core.text import Text, language
 from plcteach.dialects import families
-from plcteach.machine.walk import Walk, walks
+from plcteach.machine.walk import Walk, walk
 from plcteach.stl import read
 
 if TYPE_CHECKING:
@@ -18,6 +18,8 @@ if TYPE_CHECKING:
 
 _BELOW_ALL = 10**9
 _PUZZLING = 3
+_TOO_LONG = {"RDR013"}
+_ENOUGH_ROWS = 60
 
 
 class Findings(tuple[Diagnostic, ...]):
@@ -49,29 +51,34 @@ def lint(program: Program | str, dialect: str | Dialect | None = None) -> Findin
     found += [one for row, finder in PROGRAM_RULES.values() for one in finder(program, row)]
     found += _other_family(program)
     unread = {one.span.row for one in errors(program.diagnostics)}
-    judged = list(walks(program))
-    starts = [0, *(walk.network.lines[0].span.row for walk in judged[1:]), _BELOW_ALL]
-    for walk, start, end in zip(judged, starts, starts[1:], strict=False):
+    judged = [] if _TOO_LONG & {one.code for one in found} else [one for one in program.networks if one.lines]
+    starts = [0, *(network.lines[0].span.row for network in judged[1:]), _BELOW_ALL]
+    for network, start, end in zip(judged, starts, starts[1:], strict=False):
         if not any(start <= row < end for row in unread):
-            found += _of_network(walk)
+            found += _of_network(walk(program.dialect, network))
     return Findings(few(sorted(found, key=lambda one: (one.span.row, one.span.start, one.code))))
 
 
 def _other_family(program: Program) -> list[Diagnostic]:
     """Say so where nearly nothing reads in the family chosen, and nearly everything in another."""
-    unread = len(errors(program.diagnostics))
-    if unread < _PUZZLING or unread < len(program.lines):
+    if len(errors(program.diagnostics)) < max(_PUZZLING, len(program.lines)):
         return []
+    beginning = "\n".join(program.source.split("\n", _ENOUGH_ROWS)[:_ENOUGH_ROWS])
+    unread = _unread(beginning, program.dialect)
     for other in families():
-        if other != program.dialect and len(errors(read(program.source, other).diagnostics)) <= unread // _PUZZLING:
+        if unread >= _PUZZLING and other != program.dialect and _unread(beginning, other) <= unread // _PUZZLING:
             names = {"other": other.title, "family": program.dialect.title, "list": other.list}
             return [rule("RDR017").at(program.diagnostics[0].span, **names)]
     return []
 
 
-def _of_network(walk: Walk) -> list[Diagnostic]:
+def _unread(text: str, family: Dialect) -> int:
+    return len(errors(read(text, family).diagnostics))
+
+
+def _of_network(walked: Walk) -> list[Diagnostic]:
     """Find what every rule finds; after the first error the rest of the network's stack is guesswork and not reported."""
-    found = [one for row, finder in STACK_RULES.values() for one in finder(walk, row)]
+    found = [one for row, finder in STACK_RULES.values() for one in finder(walked, row)]
     broken = [one.span for one in errors(found)]
     if not broken:
         return found

@@ -84,10 +84,11 @@ def walks(program: Program) -> Iterator[Walk]:
     """Walk every network that has lines; each begins as the family begins it, with cells that are not its own."""
     for network in program.networks:
         if network.lines:
-            yield _walk(program.dialect, network)
+            yield walk(program.dialect, network)
 
 
-def _walk(dialect: Dialect, network: Network) -> Walk:
+def walk(dialect: Dialect, network: Network) -> Walk:
+    """Walk one network that has lines."""
     stacks: Cells = tuple((Cell(),) * stack.depth if stack.fixed else () for stack in dialect.stacks)
     moves = []
     for line in network.lines:
