@@ -11,6 +11,8 @@ from urllib.parse import unquote
 import nbformat
 import pytest
 
+from plcteach.exercises import exercise, ids
+
 ROOT = Path(__file__).resolve().parents[2]
 FOLDER = ROOT / "notebooks"
 _spec = importlib.util.spec_from_file_location("build_notebooks", Path(__file__).with_name("build.py"))
@@ -200,3 +202,20 @@ def test_a_lesson_names_its_sources_by_their_files(name):
         "000_8c35a2fe1b5d9b9b.txt",
         "002_0e43569a3a430994.txt",
     }
+
+
+@pytest.mark.parametrize("name", EDITIONS)
+def test_a_file_is_named_once_and_only_among_the_sources(name):
+    text, sources = _prose(name).split(SHAPE[name[:2]][8])
+    assert re.findall(r"\d{3}_[0-9a-f]{16}", text) == []
+    named = re.findall(r"\d{3}_[0-9a-f]{16}\.txt", sources)
+    assert len(named) == len(set(named))
+
+
+def test_the_index_lists_every_bundled_exercise_in_both_languages():
+    rows = [line for line in _prose("index.ipynb").splitlines() if line.startswith("| ") and "plc.desk(" in line]
+    assert len(rows) == len(ids())
+    for row, name in zip(rows, ids(), strict=True):
+        title = exercise(name).title
+        assert row.startswith(f"| {title.en} · {title.zh} | `{name}` |")
+        assert f'`plc.desk("{name}")`' in row
