@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from html import escape
 from typing import TYPE_CHECKING, Any
 
 import traitlets
@@ -11,6 +12,7 @@ from plcteach.check.judge import Judgement, judge
 from plcteach.check.lint import lint
 from plcteach.check.report import verdict_json
 from plcteach.core.diagnostic import errors
+from plcteach.core.text import language
 from plcteach.dialects import dialect as find_dialect
 from plcteach.exercises import exercise as find_exercise
 from plcteach.figure.film import film
@@ -105,3 +107,9 @@ class ExerciseDesk(Shown):
 
     def _words(self) -> str:
         return f"ExerciseDesk({self._exercise.id})"
+
+    def _still(self) -> str:
+        lang, one = language(), self._exercise
+        return (
+            f"<h4>{escape(one.title.in_(lang))}</h4><p>{escape(one.task.in_(lang))}</p>{self._ladder().get(lang, '')}"
+        )
