@@ -153,6 +153,28 @@ def test_an_exported_block_is_read_through_its_wrapper() -> None:
     assert program.lines[0].span == Span(9, 0, 7)
 
 
+PROJECT = (
+    "ORGANIZATION_BLOCK MAIN:OB1\r\nTITLE=PROGRAM COMMENTS\r\nBEGIN\r\nNetwork 1 // NETWORK TITLE\r\n// NETWORK COMMENTS\r\n"
+    "LD     I0.0\r\nA      I0.1\r\n=      Q0.0\r\nEND_ORGANIZATION_BLOCK\r\n"
+    "SUBROUTINE_BLOCK SBR_0:SBR0\r\nTITLE=SUBROUTINE COMMENTS\r\nBEGIN\r\nNetwork 1 // NETWORK TITLE\r\n{}END_SUBROUTINE_BLOCK\r\n"
+    "INTERRUPT_BLOCK INT_0:INT0\r\nTITLE=INTERRUPT COMMENTS\r\nBEGIN\r\nNetwork 1 // NETWORK TITLE\r\n{}END_INTERRUPT_BLOCK\r\n"
+)
+
+
+def test_a_whole_project_is_read_when_only_its_main_block_says_anything() -> None:
+    assert lines(PROJECT.format("", "")) == AND
+
+
+@pytest.mark.parametrize(
+    ("where", "row"), [(("LD I0.5\r\n= Q0.5\r\n", ""), (10, 15)), (("", "LD I0.5\r\n= Q0.5\r\n"), (15, 20))]
+)
+def test_instructions_of_a_subroutine_are_not_the_main_programs(where: tuple[str, str], row: tuple[int, int]) -> None:
+    program = read(PROJECT.format(*where), "s7-200")
+    assert [line.text for line in program.lines] == AND
+    assert [row[0] <= one.span.row <= row[1] for one in program.diagnostics] == [True]
+    assert program.diagnostics[0].severity == "error"
+
+
 @pytest.mark.parametrize("kind", ["VAR", "VAR_INPUT", "VAR_OUTPUT", "VAR_IN_OUT", "VAR_TEMP", "var"])
 def test_declared_variables_are_passed_over(kind: str) -> None:
     assert lines(f"{kind}\nLD I0.9 nonsense\nend_var\nLD I0.0\nA I0.1\n= Q0.0") == AND
@@ -292,6 +314,13 @@ def test_real_instructions_that_are_not_run_are_refused_by_their_own_name(dialec
     (found,) = read(f"{word} 1, 2", dialect).diagnostics
     assert found.code == "RDR002"
     assert word.upper() in found.text.en
+
+
+@pytest.mark.parametrize("text", ["OUT T0 K10", "OUT C5 K3"])
+def test_an_fx_timer_or_counter_coil_is_refused_by_its_own_name(text: str) -> None:
+    (found,) = read(text, "fx").diagnostics
+    assert found.code == "RDR002"
+    assert text.rpartition(" ")[0] in found.text.en
 
 
 def test_a_string_compare_is_no_lds() -> None:
