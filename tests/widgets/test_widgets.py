@@ -283,7 +283,7 @@ def test_a_saved_page_shows_a_table_without_a_kernel() -> None:
     assert "<code>OLD</code>" in shown
     assert "no program yet" in html(Workbench("", "s7-200"))
     saved = html(ExerciseDesk(TASK))
-    assert TASK.title.in_(words.language()) in saved
+    assert "&lt;b&gt;title" in saved
     assert "<svg" in saved, "the ladder can be read without a kernel"
 
 
