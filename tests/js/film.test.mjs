@@ -50,6 +50,26 @@ test("a cell has its formula, name and marks by name", () => {
   assert.equal(film.cellOf({ texts: [] }, ["k", 0, 0, "x", -1, -1]).formula, "");
 });
 
+test("the bit that is written keeps its colour in that step and looks used in the next", () => {
+  const top = (one, index) => film.cellsAt(one, index).find((cell) => cell.column === 0 && cell.position === 0);
+  const seen = [];
+  for (const one of Object.values(FILMS)) {
+    one.steps.forEach((step, out) => {
+      if (!step.write?.length || !film.topAt(one, out).spent) return;
+      assert.equal(top(one, out).spent, false);
+      const later = one.steps[out + 1]?.write?.length ? null : one.steps[out + 1]?.cells.find(([key]) => key === top(one, out).key);
+      if (later) seen.push(film.cellsAt(one, out + 1).find((cell) => cell.key === later[0]).spent);
+    });
+  }
+  assert.ok(seen.length > 0 && seen.every(Boolean));
+});
+
+test("the letters on cells are explained where a film shows them, and only there", () => {
+  assert.deepEqual(film.tagsOf(fx, "en"), [["B", "branch point"], ["L", "block"]]);
+  assert.deepEqual(film.tagsOf(fx, "zh").map(([, word]) => word), ["分支点", "电路块"]);
+  assert.deepEqual(film.tagsOf(s7200, "en"), []);
+});
+
 test("only a step that writes the top asks a question", () => {
   const asks = (one, text, nth) => film.writesTop(one, stepAfter(one, text, nth));
   for (const text of ["LD I0.0", "A I0.1", "OLD", "ALD", "LPS", "LRD", "LPP"]) assert.ok(asks(s7200, text), text);
@@ -118,7 +138,7 @@ test("a cell is put into words as far as they are wanted", () => {
   assert.equal(film.describeCell(cell, "en"), "1");
   assert.equal(film.describeCell(cell, "en", { names: true }), "S2 = 1");
   assert.equal(film.describeCell(cell, "en", { formulas: true }), "1 = I0.0·I0.1+I0.2·/I0.3");
-  assert.equal(film.describeCell({ ...cell, spent: true, foreign: true, tag: "B" }, "zh"), "1 (分支, 已用过, 别的网络留下的)");
+  assert.equal(film.describeCell({ ...cell, spent: true, foreign: true, tag: "B" }, "zh"), "1 (分支点, 已用过, 别的网络留下的)");
   const long = film.describeCell({ ...cell, formula: "I0.0·".repeat(5000) }, "en", { formulas: true });
   assert.ok(long.length < 200 && long.endsWith("…"));
 });

@@ -58,3 +58,16 @@ export function listenToKeys(figure, acts, isAsked) {
     figure.removeEventListener("keydown", onKey);
   };
 }
+
+/**
+ * Gives the focus back to the figure after a click with the mouse, so that Space plays and does not press the same button
+ * again; a button pressed with a key keeps it, and so do the step buttons. Returns the undo.
+ */
+export function listenToClicks(figure) {
+  const onClick = ({ detail, target }) => {
+    const pressed = detail > 0 && target.closest?.("button");
+    if (pressed && !pressed.closest(".plc-steps")) figure.focus({ preventScroll: true });
+  };
+  figure.addEventListener("click", onClick);
+  return () => figure.removeEventListener("click", onClick);
+}

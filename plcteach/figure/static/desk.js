@@ -19,7 +19,7 @@ const DESK_WORDS = {
   verdict: { zh: "检查结果", en: "Result of the check" },
   stale: { zh: "这是上次修改之前的检查结果", en: "Checked before your last change" },
   show: { zh: "演示给我看", en: "Show me" },
-  shown: { zh: "您的程序，输入取自这组数据", en: "Your program, on these inputs" },
+  shown: { zh: "你的程序，输入取自这组数据", en: "Your program, on these inputs" },
   shownOld: { zh: "检查时的程序（之后已修改）", en: "The program as it was checked (changed since)" },
 };
 

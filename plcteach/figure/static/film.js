@@ -23,8 +23,8 @@ const FILM_WORDS = {
   level: { zh: ["第", "层"], en: ["level ", ""] },
   spent: { zh: "已用过", en: "used" },
   foreign: { zh: "别的网络留下的", en: "left by another network" },
+  B: { zh: "分支点", en: "branch point" },
   L: { zh: "电路块", en: "block" },
-  B: { zh: "分支", en: "branch" },
 };
 
 const LONGEST_LABEL = 160;
@@ -59,9 +59,17 @@ export function cellOf(film, [key, column, position, value, formula, name, flags
   };
 }
 
-/** All cells of one step. @returns {Cell[]} */
+/** All cells of one step; the bit that is being written looks used only from the next step on. @returns {Cell[]} */
 export function cellsAt(film, index) {
-  return film.steps[index].cells.map((row) => cellOf(film, row));
+  const { cells, write } = film.steps[index];
+  const inUse = (cell) => write?.length > 0 && cell.column === 0 && cell.position === 0;
+  return cells.map((row) => cellOf(film, row)).map((cell) => (inUse(cell) ? { ...cell, spent: false } : cell));
+}
+
+/** The letters on cells that a film shows anywhere, each with its word. @returns {[string, string][]} */
+export function tagsOf(film, lang) {
+  const shown = (tag) => film.steps.some((step) => step.cells.some((cell) => cell[6]?.includes(tag)));
+  return ["B", "L"].filter(shown).map((tag) => [tag, say(FILM_WORDS[tag], lang)]);
 }
 
 /** The cell at position 0 of the first column, or undefined while that column is empty. */

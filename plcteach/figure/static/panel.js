@@ -13,7 +13,7 @@ export const PANEL_WORDS = {
   smaller: { zh: "缩小字号", en: "Smaller type" },
   larger: { zh: "放大字号", en: "Larger type" },
   waiting: {
-    zh: "内核还没有回答；您输入的内容已保留。",
+    zh: "内核还没有回答；你输入的内容已保留。",
     en: "The kernel has not answered yet; what you typed is kept.",
   },
   draft: {

@@ -7,7 +7,7 @@ import { buildList, makeListView, markLines } from "./list-view.js";
 import { freshScore, isQuestion, isRight, makeAskView, translateAsk, verdictWords } from "./ask.js";
 import { makeControls, playerWord, pressToggle, showPlaying, translateControls, updateControls } from "./transport.js";
 import { makeCaption, showCaption, showNothing, showQuestion } from "./caption.js";
-import { listenToKeys, resizeType, setTypeSize, toggleFullScreen } from "./comfort.js";
+import { listenToClicks, listenToKeys, resizeType, setTypeSize, toggleFullScreen } from "./comfort.js";
 
 const STEP_MS = 1700;
 const MOTION_MS = 480;
@@ -21,7 +21,7 @@ const MOTION_MS = 480;
  */
 export function mountPlayer(root, options) {
   const player = makePlayer(options);
-  const unlisten = listenToKeys(player.figure, player.acts, () => player.pending >= 0);
+  const unlisten = [listenToKeys(player.figure, player.acts, () => player.pending >= 0), listenToClicks(player.figure)];
   root.classList.add("plc-root");
   root.append(player.figure);
   if (!options.compact) setTypeSize(player.figure, options.size ?? recall("size", 1));
@@ -34,7 +34,7 @@ export function mountPlayer(root, options) {
     destroy: () => {
       stop(player);
       settle(player.stack);
-      unlisten();
+      for (const undo of unlisten) undo();
       player.figure.remove();
     },
   };
@@ -66,7 +66,7 @@ function makePlayer(options) {
   const picture = h("div", { className: "plc-picture" }, player.list.node, player.stack.node);
   player.figure = h(
     "div", { className: "plc-player", role: "group", tabindex: 0 },
-    player.controls.head, picture, player.controls.node, player.caption.node,
+    player.controls.head, player.controls.node, picture, player.caption.node,
   );
   player.figure.classList.toggle("plc-compact", Boolean(options.compact));
   return player;

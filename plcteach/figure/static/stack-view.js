@@ -1,7 +1,7 @@
 // Knows how to draw the stack of one step and to move its cells to the next; not what any instruction means.
 
 import { h, say } from "./ui.js";
-import { cellsAt, describeCell, describePicture, levelOf, levelWords, shortenText } from "./film.js";
+import { cellsAt, describeCell, describePicture, levelOf, levelWords, shortenText, tagsOf } from "./film.js";
 import { layoutOf, placeOf, tracksBetween } from "./motion.js";
 
 const STACK_WORDS = {
@@ -24,9 +24,10 @@ export function makeStackView() {
   const layer = h("div", { className: "plc-layer" });
   const next = h("div", { className: "plc-future", hidden: true });
   const stage = h("div", { className: "plc-stage", role: "img" }, backdrop, layer, next);
-  const node = h("div", { className: "plc-stack" }, stage);
+  const legend = h("p", { className: "plc-legend", hidden: true });
+  const node = h("div", { className: "plc-stack" }, stage, legend);
   return {
-    node, stage, backdrop, layer, next,
+    node, stage, backdrop, layer, next, legend,
     film: null, layout: null, lang: "zh", wanted: { formulas: false, names: false },
     faces: new Map(), running: [],
   };
@@ -40,16 +41,19 @@ export function buildStack(view, film) {
   view.faces.clear();
   const { width, height, foot } = view.layout;
   view.stage.classList.toggle("plc-several", width > 1);
-  view.stage.style.setProperty("--plc-columns", width);
-  view.stage.style.setProperty("--plc-rows", height);
-  view.stage.style.setProperty("--plc-foot", foot);
+  view.node.style.setProperty("--plc-columns", width);
+  view.node.style.setProperty("--plc-rows", height);
+  view.node.style.setProperty("--plc-foot", foot);
 }
 
-/** Draws captions, level labels and slots in one language. */
+/** Draws captions, level labels, slots and the words for the letters on cells in one language. */
 export function translateStack(view, lang) {
   view.lang = lang;
   for (const face of view.faces.values()) face.worn = "";
   view.backdrop.replaceChildren(...view.film.columns.flatMap((_, at) => columnBackdrop(view, at)));
+  const tags = tagsOf(view.film, lang);
+  view.legend.hidden = !tags.length;
+  view.legend.replaceChildren(...tags.flatMap(([tag, word], at) => [at ? " · " : "", h("b", {}, tag), ` ${word}`]));
 }
 
 /** Chooses whether cells show formulas and names, and whether room is kept for questions. */

@@ -83,7 +83,7 @@ function fillHead(view, act) {
   view.head.replaceChildren(title, h("div", { className: "plc-tools" }, language, sizes, full));
 }
 
-/** The bar below the picture; a compact player has its full-screen button here. */
+/** The bar above the picture, which stays in place however long the words below it are; a compact player has its full-screen button here. */
 function fillTransport(view, lang) {
   const { first, prev, play, next, last, slider, count, speed, formulas, names, asking, full } = view.parts;
   const group = (name, className, ...parts) => (

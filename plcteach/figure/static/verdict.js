@@ -6,8 +6,8 @@ import { verdictGroups, marksText } from "./worksheet.js";
 const VERDICT_WORDS = {
   marks: { zh: "得分", en: "Marks" },
   input: { zh: "输入", en: "Inputs" },
-  expected: { zh: "梯形图给出", en: "The ladder gives" },
-  got: { zh: "您的程序给出", en: "Your program gives" },
+  expected: { zh: "应为", en: "Expected" },
+  got: { zh: "你的程序给出", en: "Your program gives" },
   caption: { zh: "能看出差别的一组输入", en: "Inputs that show the difference" },
   differs: { zh: "不同", en: "differs" },
   equal: { zh: "一致", en: "agrees" },
@@ -68,18 +68,16 @@ function valueCell({ value, differs }, lang) {
     h("span", { className: "plc-verdict-value", dataset: { value } }, value), sign);
 }
 
-/** Draws the head cell of one signal: its address, and under it what it is called. */
-function signalHead({ address, label }, lang) {
-  const name = say(label, lang);
-  return h("th", { scope: "col" }, h("span", { className: "plc-address" }, address),
-    name && name !== address && h("span", { className: "plc-signal-name" }, name));
+/** Draws the head cell of one signal: its address; whether it is an input or an output stands over the group. */
+function signalHead({ address }) {
+  return h("th", { scope: "col" }, h("span", { className: "plc-address" }, address));
 }
 
 /** Draws one part of the counterexample: inputs, what was expected, or what came. */
 function verdictGroup({ kind, cells }, lang) {
   const name = say(VERDICT_WORDS[kind], lang);
   const table = h("table", { className: "plc-verdict-table" }, h("caption", {}, name),
-    h("thead", {}, h("tr", {}, cells.map((cell) => signalHead(cell, lang)))),
+    h("thead", {}, h("tr", {}, cells.map((cell) => signalHead(cell)))),
     h("tbody", {}, h("tr", {}, cells.map((cell) => valueCell(cell, lang)))));
   const scroll = cells.length > 5 ? { tabindex: "0", role: "region", "aria-label": name } : {};
   return h("div", { className: "plc-scroll", ...scroll }, table);

@@ -97,15 +97,15 @@ export function marksText(marks) {
 
 /**
  * Lays the rows of a verdict out as one row of a truth table: inputs, then what was expected and what came.
- * @param {{address: string, kind: "input"|"expected"|"got", value: unknown, differs?: boolean, label?: object}[]} rows
- * @returns {{kind: string, cells: {address: string, label?: object, value: string, differs: boolean}[]}[]}
+ * @param {{address: string, kind: "input"|"expected"|"got", value: unknown, differs?: boolean}[]} rows
+ * @returns {{kind: string, cells: {address: string, value: string, differs: boolean}[]}[]}
  */
 export function verdictGroups(rows) {
   return ["input", "expected", "got"]
     .map((kind) => ({
       kind,
-      cells: rows.filter((row) => row.kind === kind).map(({ address, label, value, differs }) => (
-        { address, label, value: valueText(value), differs: kind === "got" && Boolean(differs) }
+      cells: rows.filter((row) => row.kind === kind).map(({ address, value, differs }) => (
+        { address, value: valueText(value), differs: kind === "got" && Boolean(differs) }
       )),
     }))
     .filter(({ cells }) => cells.length > 0);
