@@ -56,9 +56,6 @@ def decode(data: bytes, encoding: str | None = None) -> str:
     """
     if data.startswith((b"\xff\xfe", b"\xfe\xff")):
         return data.decode("utf-16", errors="replace")
-    zeros = data[:400].count(0)
-    if zeros > len(data[:400]) // 4:  # UTF-16 without its mark: every other byte of a listing is 0
-        return data.decode("utf-16-be" if data[0] == 0 else "utf-16-le", errors="replace")
     for name in ("utf-8-sig", encoding, "gbk", "cp1252"):
         if name is None:
             continue
