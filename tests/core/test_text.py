@@ -105,11 +105,6 @@ def test_utf_16_comes_in_both_orders(mark: bytes) -> None:
     assert decode(mark + PROGRAM.encode(order)) == PROGRAM
 
 
-@pytest.mark.parametrize("order", ["utf-16-le", "utf-16-be"])
-def test_utf_16_is_recognised_without_its_mark(order: str) -> None:
-    assert decode("LD I0.0\r\n= Q0.0 // lamp\r\n".encode(order)) == "LD I0.0\r\n= Q0.0 // lamp\r\n"
-
-
 def test_what_the_caller_says_comes_before_gbk_and_after_utf_8() -> None:
     german = "// Türschütz\nLD I0.0\n"
     assert decode(german.encode("cp1252"), "cp1252") == german
