@@ -46,7 +46,9 @@ def test_the_browsers_pure_parts() -> None:
 
 
 def test_the_notebooks_give_what_they_show() -> None:
-    notebooks = sorted(str(path) for path in (ROOT / "notebooks").rglob("*.ipynb") if ".ipynb_checkpoints" not in path.parts)
+    notebooks = sorted(
+        str(path) for path in (ROOT / "notebooks").rglob("*.ipynb") if ".ipynb_checkpoints" not in path.parts
+    )
     sanitize = ROOT / "tests" / "notebooks" / "sanitize.cfg"
     out = run(
         sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", "-W", "ignore", "--nbval", f"--nbval-sanitize-with={sanitize}", *notebooks

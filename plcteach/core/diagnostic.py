@@ -311,6 +311,19 @@ _ROWS = (
             "Each maker has its own mnemonics and addresses; a list read as another family's is wrong almost everywhere.",
         ),
     ),
+    Rule(
+        "RDR018",
+        "other-block",
+        "error",
+        Text(
+            "第{row}行开始的子程序或中断程序里有指令，这里还不执行它；只执行主程序。能把它们写进主程序吗？",
+            "The subroutine or interrupt block that begins in row {row} holds instructions, and only the main program is run here. Could they stand there?",
+        ),
+        Text(
+            "主程序每个扫描执行一次；子程序要被调用，中断程序要等事件，不能接在主程序后面执行。",
+            "The main program runs once a scan; a subroutine waits to be called and an interrupt for its event.",
+        ),
+    ),
     # STK: the stack, whatever the values
     Rule(
         "STK001",
@@ -714,7 +727,10 @@ _ROWS = (
         "DRW013",
         "formula-unread",
         "error",
-        Text("这里写的是“{word}”，但应当是{expected}。", "Here stands {word}; expected was {expected}."),
+        Text(
+            "这里写的是“{word}”，但应当是{expected}。这里想表达什么？",
+            "Here stands {word}; expected was {expected}. What is meant here?",
+        ),
         Text(
             "一行式写成 (I0.0 + Q0.0) · /I0.1 -> Q0.0：先写条件，再写箭头和线圈。",
             "On one line a rung is (I0.0 + Q0.0) · /I0.1 -> Q0.0: the condition, an arrow, the coils.",
@@ -741,6 +757,34 @@ _ROWS = (
             "There is no rung here. One is --[ I0.0 ]--( Q0.0 ). Which contact comes first?",
         ),
         Text("一级梯形图至少有一个触点和一个线圈。", "A rung has at least a contact and a coil."),
+    ),
+    Rule(
+        "DRW016",
+        "joint-aside",
+        "error",
+        Text(
+            "第{column}列的 {what} {side}没有 {sign}，最近的在第{near}列。它们是不是应该上下对齐？",
+            "The {what} at column {column} has no {sign} {side} it; the nearest is at column {near}. "
+            "Should they stand under each other?",
+        ),
+        Text(
+            "+ 只和正上方、正下方的 + 或 | 相连，差一列就没有接上。",
+            "A + meets only the + or | right above or below it; one column aside, and nothing is joined.",
+        ),
+    ),
+    Rule(
+        "DRW017",
+        "joint-missing",
+        "error",
+        Text(
+            "导线在第{column}列结束，没有 +；{side}最近的 {sign} 在第{near}列。要不要把线画到第{near}列，在那里写一个 +？",
+            "The wire ends at column {column} without a +; the nearest {sign} {side} it is at column {near}. "
+            "Should it reach column {near} and have a + there?",
+        ),
+        Text(
+            "横线要接到竖线上，交点处写 +；只靠在旁边不算接上。",
+            "Where a wire joins one above or below, a + stands; being near is not being joined.",
+        ),
     ),
 )
 

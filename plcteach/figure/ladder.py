@@ -29,6 +29,8 @@ _LABEL = 23.0
 _SIZE = 13.0
 _GAP, _BAR = 6.0, 10.5
 _COIL, _OPEN = 11.0, 76.0
+_BESIDE = 9.0
+"""So far from its boundary stands each of two posts that are drawn apart."""
 _SAID = 400
 
 
@@ -94,7 +96,8 @@ def _frame(plans: list[Layout]) -> _Frame:
     names = [piece.symbol.address for plan in plans for piece in plan.pieces if not isinstance(piece.symbol, Invert)]
     widest = max((extent(name, _SIZE, code=True) for name in names), default=0)
     columns = max((plan.columns for plan in plans), default=2)
-    return _Frame(_LEFT, max(_CELL, round(widest + 18)), columns)
+    beside = 2 * _BESIDE if any(plan.doubled for plan in plans) else 0
+    return _Frame(_LEFT, max(_CELL, round(widest + 18 + beside)), columns)
 
 
 def _is_on(value: object) -> bool:
@@ -118,6 +121,11 @@ class _Picture:
 
     def y(self, row: int) -> float:
         return self.top + _LABEL + 11 + _ROW * row
+
+    def x(self, boundary: int, net: int | None, *, opens: bool) -> float:
+        """Give where a wire of a net begins (opens) or ends at a boundary: aside, where two posts are drawn apart."""
+        aside = _BESIDE if (boundary, net) in self.plan.doubled else 0
+        return self.frame.x(boundary) + (aside if opens else -aside)
 
     def middle(self, piece: Placed) -> float:
         if isinstance(piece.symbol, Coil):
@@ -155,13 +163,19 @@ class _Picture:
 
     def wires(self, nets: frozenset[int]) -> Iterator[Stroke]:
         for run in self.plan.runs:
-            yield self.wire(self.frame.x(run.start), self.frame.x(run.stop), run.row, run.net, nets)
+            start, stop = self.x(run.start, run.net, opens=True), self.x(run.stop, run.net, opens=False)
+            yield self.wire(start, stop, run.row, run.net, nets)
         for piece in self.plan.pieces:
             yield from self.ends(piece, nets)
-        for post in self.plan.posts:
-            if (post.boundary, post.net) != (0, RAIL):
-                x, ink = self.frame.x(post.boundary), "wire-on" if post.net in nets else "wire"
-                yield Stroke(((x, self.y(post.rows[0])), (x, self.y(post.rows[-1]))), ink)
+        for post in self.posts():
+            x, ink = self.x(post.boundary, post.net, opens=post.opens), "wire-on" if post.net in nets else "wire"
+            yield Stroke(((x, self.y(post.rows[0])), (x, self.y(post.rows[-1]))), ink)
+            if post.opens and (post.boundary, post.net) in self.plan.doubled:
+                yield self.wire(x - 2 * _BESIDE, x, post.rows[0], post.net, nets)
+
+    def posts(self) -> Iterator[Post]:
+        """Give the vertical wires that are not the left rail itself."""
+        return (post for post in self.plan.posts if (post.boundary, post.net) != (0, RAIL))
 
     def wire(self, start: float, stop: float, row: int, net: int | None, nets: frozenset[int]) -> Stroke:
         return Stroke(((start, self.y(row)), (stop, self.y(row))), "wire-on" if net in nets else "wire")
@@ -170,8 +184,8 @@ class _Picture:
         """Give the wires on both sides of a symbol; the one before a coil comes from as far left as the rung ends."""
         middle, coil = self.middle(piece), isinstance(piece.symbol, Coil)
         half = _COIL if coil else self.half(piece.symbol)
-        start = self.frame.x(piece.column)
-        stop = self.frame.right if coil else self.frame.x(piece.column) + self.frame.cell
+        start = self.x(piece.column, piece.source, opens=True)
+        stop = self.frame.right if coil else self.x(piece.column + 1, piece.target, opens=False)
         yield self.wire(start, middle - half, piece.row, piece.source, nets)
         yield self.wire(middle + half, stop, piece.row, piece.source if coil else piece.target, nets)
 
@@ -183,16 +197,17 @@ class _Picture:
     def dots(self) -> Iterator[Disc]:
         filled = {(piece.row, piece.column) for piece in self.plan.pieces}
         filled |= {(run.row, column) for run in self.plan.runs for column in range(run.start, run.stop)}
-        for post in self.plan.posts:
-            for row in post.rows if (post.boundary, post.net) != (0, RAIL) else ():
-                if self.joins(post, row, filled):
-                    yield Disc(self.frame.x(post.boundary), self.y(row), 2.6, "dot")
+        for post in self.posts():
+            x = self.x(post.boundary, post.net, opens=post.opens)
+            yield from (Disc(x, self.y(row), 2.6, "dot") for row in post.rows if self.joins(post, row, filled))
 
-    @staticmethod
-    def joins(post: Post, row: int, filled: set[tuple[int, int]]) -> bool:
+    def joins(self, post: Post, row: int, filled: set[tuple[int, int]]) -> bool:
         """Say whether at least three wires meet, so that a dot must tell a joint from a corner."""
-        sides = ((row, post.boundary - 1) in filled) + ((row, post.boundary) in filled)
-        return sides + (row > post.rows[0]) + (row < post.rows[-1]) > 2  # noqa: PLR2004
+        left, right = (row, post.boundary - 1) in filled, (row, post.boundary) in filled
+        if (post.boundary, post.net) in self.plan.doubled:
+            first = row == post.rows[0]
+            left, right = (first, right) if post.opens else (left, first)
+        return left + right + (row > post.rows[0]) + (row < post.rows[-1]) > 2  # noqa: PLR2004
 
     def symbol(self, piece: Placed, nets: frozenset[int]) -> Iterator[Shape]:
         x, y, symbol = self.middle(piece), self.y(piece.row), piece.symbol

@@ -7,6 +7,7 @@ net 0 is the left rail.
 
 from __future__ import annotations
 
+from collections import Counter
 from dataclasses import dataclass, field
 
 from plcteach.core.ladder import Branch, Coil, Contact, Invert, Node, Out, Parallel, Rung, Series
@@ -38,11 +39,15 @@ class Run:
 
 @dataclass(frozen=True, slots=True)
 class Post:
-    """A vertical wire on a boundary, and the rows that are joined to it, topmost first."""
+    """A vertical wire on a boundary, and the rows that are joined to it, topmost first.
+
+    opens: whether paths part here; where they come together, and part again at once, two posts share boundary and net.
+    """
 
     boundary: int
     rows: tuple[int, ...]
     net: int
+    opens: bool
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,6 +60,12 @@ class Layout:
     runs: tuple[Run, ...]
     posts: tuple[Post, ...]
 
+    @property
+    def doubled(self) -> frozenset[tuple[int, int]]:
+        """Boundaries and nets with two posts, which are drawn apart so that no path seems to run straight on."""
+        count = Counter((post.boundary, post.net) for post in self.posts)
+        return frozenset(place for place, number in count.items() if number > 1)
+
 
 def layout(rung: Rung) -> Layout:
     """Plan a rung: parallel parts below each other, parts in series from left to right, coils in the last column."""
@@ -62,7 +73,9 @@ def layout(rung: Rung) -> Layout:
     node = plan.net() if rung.stem else RAIL
     width = plan.node(rung.stem, 0, 0, RAIL, node) if rung.stem else 0
     plan.outs(rung.outs, 0, width, node)
-    posts = tuple(Post(boundary, tuple(sorted(rows)), net) for (boundary, net), rows in sorted(plan.posts.items()))
+    posts = tuple(
+        Post(boundary, tuple(sorted(rows)), net, opens) for (boundary, net, opens), rows in sorted(plan.posts.items())
+    )
     rows = 1 + max(piece.row for piece in plan.pieces)
     return Layout(plan.columns, rows, tuple(plan.pieces), tuple(plan.runs), posts)
 
@@ -100,15 +113,15 @@ class _Plan:
     nets: int = RAIL
     pieces: list[Placed] = field(default_factory=list)
     runs: list[Run] = field(default_factory=list)
-    posts: dict[tuple[int, int], set[int]] = field(default_factory=dict)
+    posts: dict[tuple[int, int, bool], set[int]] = field(default_factory=dict)
 
     def net(self) -> int:
         self.nets += 1
         return self.nets
 
-    def post(self, boundary: int, net: int, rows: list[int]) -> None:
+    def post(self, boundary: int, net: int, rows: list[int], *, opens: bool) -> None:
         if len(rows) > 1:
-            self.posts.setdefault((boundary, net), set()).update(rows)
+            self.posts.setdefault((boundary, net, opens), set()).update(rows)
 
     def run(self, row: int, start: int, stop: int, net: int) -> None:
         if start < stop:
@@ -136,8 +149,8 @@ class _Plan:
             end = column + self.node(part, row, column, source, target)
             self.run(row, end, column + width, target)
             row += _height(part)
-        self.post(column, source, rows)
-        self.post(column + width, target, rows)
+        self.post(column, source, rows, opens=True)
+        self.post(column + width, target, rows, opens=False)
         return width
 
     def outs(self, outs: tuple[Out, ...], row: int, column: int, net: int) -> None:
@@ -153,4 +166,4 @@ class _Plan:
                 width = self.node(one.stem, row, column, net, target)
                 self.outs(one.outs, row, column + width, target)
             row += _height(one)
-        self.post(column, net, rows)
+        self.post(column, net, rows, opens=True)

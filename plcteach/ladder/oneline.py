@@ -35,7 +35,7 @@ from plcteach.core.source import Span
 from plcteach.core.text import Text, same
 from plcteach.ladder.symbols import ADDRESS, EDGES, KINDS, coil_of, contact_of
 
-_TOKEN = re.compile(rf"\s*(?P<word>->|{ADDRESS}|\S)")
+_TOKEN = re.compile(rf"\s*(?P<word>->|→|{ADDRESS}|\S)")
 _ARROW = "->"
 _MOST_OPEN = MOST_NESTED // 3
 _ORS, _ANDS, _NOTS = frozenset("+|∨"), frozenset("·*&•∧⋅"), frozenset("/!¬")
@@ -52,7 +52,7 @@ class _UnreadError(Exception):
 
 def read_line(text: str, row: int = 1) -> Rung | Diagnostic:
     """Read a rung on one line (half-width already), or give the first thing that does not fit."""
-    parser = _Parser(text.replace("→", _ARROW), row)
+    parser = _Parser(text, row)
     try:
         found = parser.rung()
         if parser.peek():
@@ -66,7 +66,7 @@ class _Parser:
     """The words of one line with a finger on the next, and how many parentheses are open."""
 
     def __init__(self, text: str, row: int) -> None:
-        self.words = [(match["word"], match.start("word")) for match in _TOKEN.finditer(text)]
+        self.words = [(match["word"].replace("→", _ARROW), *match.span("word")) for match in _TOKEN.finditer(text)]
         self.end, self.row, self.next, self.nested = len(text.rstrip()), row, 0, 0
 
     def peek(self, ahead: int = 0) -> str:
@@ -76,8 +76,8 @@ class _Parser:
     def span(self) -> Span:
         if self.next >= len(self.words):
             return Span(self.row, self.end, self.end)
-        word, start = self.words[self.next]
-        return Span(self.row, start, start + len(word))
+        _, start, stop = self.words[self.next]
+        return Span(self.row, start, stop)
 
     def stop(self, expected: Text) -> None:
         word = same(self.peek()) if self.peek() else Text("行的结尾", "the end of the line")

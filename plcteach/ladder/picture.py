@@ -4,7 +4,8 @@
     --[ Q0.0 ]--+                              ( ) (/ ) (S ) (R )         coils
 
 Rungs are separated by blank lines or by headings (`Network 1 // title`); `//` begins a comment. Full-width characters and
-box-drawing characters are understood, and columns are counted as they are seen, where a full-width character takes two.
+box-drawing characters are understood, and columns are counted as they are seen: a full-width character takes two, a tab reaches to the next
+multiple of eight.
 """
 
 from __future__ import annotations
@@ -20,7 +21,7 @@ from plcteach.core.text import Text
 from plcteach.ladder.oneline import read_line, write_line
 from plcteach.ladder.reduce import rungs
 from plcteach.ladder.typeset import write_drawing
-from plcteach.ladder.wires import FILL, Row
+from plcteach.ladder.wires import FILL, TAB, Row
 
 __all__ = ["is_drawing", "read_drawing", "read_line", "write_drawing", "write_line"]
 
@@ -35,14 +36,19 @@ _PLAIN = str.maketrans(
 )
 _HEADING = re.compile(r"\s*(?:NETWORK|RUNG|网络|程序段|梯级)\s*\d{0,9}\s*(?P<rest>(?![\w.]).*)", re.IGNORECASE)
 _COMMENTS = re.compile(r"//[^\n]*|\(\*.*?(?:\*\)|\Z)", re.DOTALL)
+_INSIDE = re.compile(r"\[[^\[\]]*\]")
+_DASHED = re.compile(r"[-|+\[].*?(?:(?<=\])\s*-|(?<=-)\s*\([^()]*\))")
 _CONTROL = re.compile(r"[\x00-\x08\x0e-\x1f\x7f]")
 
 
 def is_drawing(text: str) -> bool:
-    """Say whether a text is a ladder and not a program: its first line (comments and headings apart) holds `--` or `->`."""
+    """Say whether a text is a ladder and not a program, by its first line, comments and headings apart.
+
+    That line holds `--` or `->`, or it begins with a symbol or a wire and joins symbols with single dashes: `[I0.0]-(Q0.0)`.
+    """
     for line in _COMMENTS.sub("", _plain(text[:MOST_CHARACTERS])).splitlines():
         if line.strip(" |+\t") and not _HEADING.fullmatch(line):
-            return "--" in line or "->" in line
+            return "--" in line or "->" in line or bool(_DASHED.match(_INSIDE.sub("[]", line.strip())))
     return False
 
 
@@ -153,17 +159,18 @@ class _Reading:
 def _row(number: int, given: str, *, wide: bool) -> Row:
     """Spread a row over the columns in which it is seen."""
     plain = half_width(given.translate(_PLAIN))
-    if given.isascii() or not wide:
+    tab = given.find("\t")
+    if tab < 0 and (given.isascii() or not wide):
         return Row(number, plain, list(range(len(plain))))
     signs: list[str] = []
     places: list[int] = []
     for place, (sign, seen) in enumerate(zip(plain, given, strict=True)):
-        two = unicodedata.east_asian_width(seen) in "WF"
+        two = wide and unicodedata.east_asian_width(seen) in "WF"
         after = plain[place + 1 : place + 2]
-        cells = _double(sign, after) if two else sign
+        cells = " " * (TAB - len(places) % TAB) if seen == "\t" else _double(sign, after) if two else sign
         signs.append(cells)
         places += [place] * len(cells)
-    return Row(number, "".join(signs), places)
+    return Row(number, "".join(signs), places, None if tab < 0 else tab)
 
 
 def _double(sign: str, after: str) -> str:

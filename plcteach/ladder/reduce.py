@@ -22,6 +22,7 @@ from plcteach.core.ladder import (
     rung,
     series,
 )  # fmt: skip
+from plcteach.ladder.faults import check
 from plcteach.ladder.wires import LEFT, Sheet, ends, sheet
 
 if TYPE_CHECKING:
@@ -45,6 +46,8 @@ class _Path:
 def rungs(rows: list[Row]) -> tuple[list[Rung], list[Diagnostic]]:
     """Read the rows of one drawing; what begins at the left rail with paths of its own is a rung each."""
     drawn = sheet(rows)
+    if not drawn.found:
+        check(drawn)
     if drawn.found:
         return [], drawn.found
     paths, coils = _graph(drawn)

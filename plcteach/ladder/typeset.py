@@ -63,6 +63,7 @@ class _Sheet:
             for wanted in range(plan.columns)
         ]
         self.forked = {post.boundary for post in posts}
+        self.doubled = {boundary for boundary, _ in plan.doubled}
 
     def row(self, row: int) -> str:
         signs = [self.gap(row, 0)]
@@ -82,19 +83,34 @@ class _Sheet:
             return ""
         if boundary not in self.forked:
             return "--" if right else "  "
-        joined = any(row in post.rows for post in self.posts if post.boundary == boundary)
-        middle = "+" if joined else self.passing(boundary, row, row) or ("-" if left and right else " ")
+        marks = [self.mark(posts, row) for posts in self.uprights(boundary)]
+        through = "-" if left and right else " "
+        apart = marks == ["+", "+"] and not any(row == post.rows[0] for post in self.posts if post.boundary == boundary)
+        middle = ("  " if apart else through * 2).join(mark or through for mark in marks)
         return ("--" if left else "  ") + middle + ("--" if right else "  ")
 
-    def passing(self, boundary: int, first: int, last: int) -> str:
-        over = (post for post in self.posts if post.boundary == boundary)
-        return "|" if any(post.rows[0] <= first and last <= post.rows[-1] for post in over) else ""
+    def uprights(self, boundary: int) -> list[list[Post]]:
+        """Give the vertical wires of a boundary: all in one column, or those that close beside those that open."""
+        here = [post for post in self.posts if post.boundary == boundary]
+        if boundary not in self.doubled:
+            return [here]
+        return [[post for post in here if post.opens is opens] for opens in (False, True)]
+
+    @staticmethod
+    def mark(posts: list[Post], row: int) -> str:
+        """Give the sign of a row in a column of vertical wires: a joint, a wire passing by, or nothing."""
+        if any(row in post.rows for post in posts):
+            return "+"
+        return "|" if any(post.rows[0] < row < post.rows[-1] for post in posts) else ""
 
     def spacer(self, row: int) -> str:
         """Give a row that only keeps two vertical wires apart."""
         signs = ["  "]
         for boundary in range(1, self.plan.columns):
             signs.append(" " * self.widths[boundary - 1])
-            middle = self.passing(boundary, row, row + 1) or " "
-            signs.append(f"  {middle}  " if boundary in self.forked else "  ")
+            if boundary in self.forked:
+                over = [[post.rows[0] <= row < post.rows[-1] for post in posts] for posts in self.uprights(boundary)]
+                signs.append(f"  {'  '.join('|' if any(some) else ' ' for some in over)}  ")
+            else:
+                signs.append("  ")
         return "".join(signs).rstrip()

@@ -9,10 +9,10 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, NamedTuple
 
-from plcteach.core.diagnostic import Diagnostic, Note, rule
+from plcteach.core.diagnostic import Diagnostic, rule
 from plcteach.core.ladder import Coil, Contact, Invert
 from plcteach.core.source import Span
 from plcteach.core.text import NOTHING, Text, same
@@ -29,24 +29,27 @@ LEFT = 0
 FILL = "\ufdd0"
 """Stands in the second column of a sign that is two columns wide."""
 
+TAB = 8
+"""A tab reaches to the next multiple of so many columns."""
+
 _MARGIN = 3
 _WIRES = frozenset("-|+")
 _TOKEN = re.compile(
     r"(?P<wire>[-|+]+)|(?P<symbol>\[[^\[\]]*\]|\([^()]*\)|\{[^{}]*\})|(?P<open>[\[\](){}])|(?P<word>[^\s\-|+\[\](){}]+)"
 )
 _SHOWN = 24
-_MISSED = Text(
-    "这里的竖线差一列，没有接上。是想接到这里吗？",
-    "The upright wire here is one column away and does not meet it. Was it meant to?",
-)
 
 
 class Row(NamedTuple):
-    """One row of a drawing in columns as they are seen; `places` gives for each column the code point in the text."""
+    """One row of a drawing in columns as they are seen.
+
+    places: for each column the code point in the text.  tab: the code point of the first tab, if there is one.
+    """
 
     number: int
     signs: str
     places: list[int]
+    tab: int | None = None
 
     def span(self, start: int, stop: int) -> Span:
         """Give the place in the text of some columns."""
@@ -83,19 +86,16 @@ class Sheet:
     def say_of(self, code: str, element: Element) -> None:
         """Note a finding at an element, which it names."""
         self.say(code, element.row, element.start, element.stop, word=self.name(element))
-        miss = next(_near_misses(self, element.source), None)
-        if code == "DRW008" and miss:
-            note = Note(self.rows[miss[0]].span(miss[1], miss[1] + 1), _MISSED)
-            self.found[-1] = replace(self.found[-1], notes=(note,))
 
     def name(self, element: Element) -> Text:
         """Give an element as it was drawn."""
         return same(shown(self.rows[element.row].signs[element.start : element.stop]))
 
     @property
-    def margin(self) -> int:
-        """The column at which the drawing begins."""
-        return min((len(row.signs) - len(row.signs.lstrip()) for row in self.rows if row.signs.strip()), default=0)
+    def edge(self) -> int:
+        """The column up to which everything is the left rail."""
+        begin = (len(row.signs) - len(row.signs.lstrip()) for row in self.rows if row.signs.strip())
+        return min(begin, default=0) + _MARGIN
 
     def sign(self, row: int, column: int) -> str:
         """Give the wire sign in a cell, or nothing."""
@@ -109,14 +109,13 @@ def shown(words: str) -> str:
 
 
 def sheet(rows: list[Row]) -> Sheet:
-    """Find the symbols and nets of one drawn rung; stops at the first kind of finding, so that one slip is said once."""
+    """Find the symbols and nets of one drawn rung; with a sign that cannot be read, the nets are left out."""
     out = Sheet(rows)
     for number in range(len(rows)):
         _tokens(out, number)
     if not out.found:
         _number_nets(out)
         _connect(out)
-        _check(out)
     return out
 
 
@@ -148,7 +147,7 @@ def _symbol(out: Sheet, row: int, start: int, stop: int) -> None:
         out.elements.append(Element(symbol, row, start, stop))
 
 
-def _neighbours(out: Sheet, cell: Cell) -> Iterator[Cell]:
+def neighbours(out: Sheet, cell: Cell) -> Iterator[Cell]:
     """Give the wires that touch a piece of wire."""
     row, column = cell
     sign = out.rows[row].signs[column]
@@ -163,7 +162,7 @@ def _neighbours(out: Sheet, cell: Cell) -> Iterator[Cell]:
 def _number_nets(out: Sheet) -> None:
     """Give all wires that hang together one number, the left rail being 0."""
     first = [next((at for at, sign in enumerate(row.signs) if not sign.isspace()), None) for row in out.rows]
-    edge = out.margin + _MARGIN
+    edge = out.edge
     rail = [(row, column) for row, column in enumerate(first) if column is not None and column < edge]
     _flood(out, [cell for cell in rail if cell in out.nets], LEFT)
     number = LEFT
@@ -173,25 +172,17 @@ def _number_nets(out: Sheet) -> None:
             _flood(out, [cell], number)
 
 
-def _near_misses(out: Sheet, net: int | None) -> Iterator[Cell]:
-    """Give uprights and joints of other wires that a wire misses by one column: the commonest slip of the hand."""
-    for (row, column), number in out.nets.items() if net is not None else ():
-        if number == net and out.rows[row].signs[column] != "-":
-            corners = ((row + up, column + side) for up in (-1, 1) for side in (-1, 1))
-            yield from (cell for cell in corners if out.sign(*cell) in {"|", "+"} and out.nets[cell] != net)
-
-
 def _flood(out: Sheet, waiting: list[Cell], number: int) -> None:
     while waiting:
         cell = waiting.pop()
         if out.nets[cell] < 0:
             out.nets[cell] = number
-            waiting += _neighbours(out, cell)
+            waiting += neighbours(out, cell)
 
 
 def _connect(out: Sheet) -> None:
     """Find the net at each end of each element; elements drawn without a gap share a net of their own."""
-    fresh = max(out.nets.values(), default=LEFT)
+    fresh, edge = max(out.nets.values(), default=LEFT), out.edge
     before: Element | None = None
     for element in out.elements:
         row = element.row
@@ -200,49 +191,12 @@ def _connect(out: Sheet) -> None:
         if element.source is None and before and (before.row, before.stop) == (row, element.start):
             fresh += 1
             before.target = element.source = fresh
-        elif (
-            element.source is None
-            and not out.rows[row].signs[: element.start].strip()
-            and element.start < out.margin + _MARGIN
-        ):
+        elif element.source is None and not out.rows[row].signs[: element.start].strip() and element.start < edge:
             element.source = LEFT
         element.target = out.nets.get((row, element.stop))
         before = element
 
 
-def _check(out: Sheet) -> None:
-    """Report coils that something follows, wires past an element, paths that begin or end nowhere, and loose ends."""
-    right = {one.target for one in out.elements if isinstance(one.symbol, Coil)} - {None}
-    feeds = {one.source for one in out.elements} - {None}
-    fed = {one.target for one in out.elements if not isinstance(one.symbol, Coil)} - {None} | {LEFT}
-    for one in out.elements:
-        if one.source is None or one.source not in fed | right:
-            out.say_of("DRW008", one)
-        elif one.source == one.target:
-            out.say_of("DRW010", one)
-        elif one.source in right:
-            out.say_of("DRW011", one)
-        elif not isinstance(one.symbol, Coil) and (one.target is None or one.target not in feeds):
-            out.say_of("DRW007", one)
-    if not out.found:
-        _loose(out, right | {LEFT} if LEFT in feeds else right)
-
-
-def _loose(out: Sheet, rails: set[int | None]) -> None:
-    """Report pieces of wire with an end that touches nothing; rails may end anywhere, and so may a right rail apart."""
-    last = max((one.stop for one in out.elements), default=0)
-    edge = out.margin + _MARGIN
-    said: set[int] = set()
-    for cell, net in out.nets.items():
-        upright = out.sign(*cell) != "-"
-        at_rail = net in rails and (net != LEFT or cell[1] < edge)
-        if at_rail or net in said or (upright and not edge <= cell[1] < last):
-            continue
-        if ends(out, cell) < 2:  # noqa: PLR2004
-            out.say("DRW006", cell[0], cell[1], cell[1] + 1)
-            said.add(net)
-
-
 def ends(out: Sheet, cell: Cell) -> int:
     """Count what touches a piece of wire: other wires and symbols."""
-    return out.tips[cell] + len(list(_neighbours(out, cell)))
+    return out.tips[cell] + len(list(neighbours(out, cell)))

@@ -69,6 +69,8 @@ _WRAPPER = re.compile(
     r"\s*(?:ORGANIZATION_BLOCK\b.*|END_ORGANIZATION_BLOCK\s*|BEGIN\s*|TITLE\s*=.*|AUTHOR\s*:.*|VERSION\s*:.*)",
     re.IGNORECASE,
 )
+_OTHER_BLOCK = re.compile(r"\s*(?P<end>END_)?(?:SUBROUTINE|INTERRUPT)_BLOCK\b.*", re.IGNORECASE)
+_ROW_ENDS = re.compile(r"\r\n|\n|\r")
 _VARIABLES = re.compile(r"\s*VAR(?:_INPUT|_OUTPUT|_IN_OUT|_TEMP)?\s*", re.IGNORECASE)
 _SIGNS = re.compile(r"[\s/:;]*(?:\(\*(?P<block>.*)\*\)\s*|(?P<bare>.*))")
 _WORDS = re.compile(r"[^\s,;]+")
@@ -84,11 +86,12 @@ class _Cutter:
         self.comments: list[str] = []
         self.opened: Span | None = None
         self.variables: Span | None = None
+        self.other: Span | None = None
 
     def cut(self, text: str) -> Tokens:
-        rows = text.split("\n")
+        rows = _ROW_ENDS.split(text)
         for number, row in enumerate(rows[:MOST_ROWS], 1):
-            self.row(number, row.rstrip("\r"))
+            self.row(number, row)
             if len(self.out.items) > MOST_STATEMENTS:
                 more = Text(f"{MOST_STATEMENTS}条指令以上", f"more than {MOST_STATEMENTS} instructions")
                 self.too_long(Span(number), more, Text(f"{MOST_STATEMENTS}条", f"{MOST_STATEMENTS}"))
@@ -120,6 +123,8 @@ class _Cutter:
             self.variables = None if plain.strip().upper().startswith("END_VAR") else self.variables
         elif not self.opened and _VARIABLES.fullmatch(plain):
             self.variables = Span(number, 0, len(given))
+        elif not self.opened and (block := _OTHER_BLOCK.fullmatch(plain)):
+            self.other = None if block["end"] else Span(number, 0, len(given))
         elif not self.heading(number, plain, given) and not self.skipped(plain):
             self.statements(number, plain, given)
 
@@ -128,8 +133,8 @@ class _Cutter:
 
     def heading(self, number: int, plain: str, given: str) -> bool:
         match = None if self.opened else _HEADING.fullmatch(plain)
-        if not match:
-            return False
+        if not match or self.other:
+            return bool(match)
         start = match.start("rest")
         stop = plain.find(";", start)
         inside = plain.find("//", start), plain.find("(*", start)
@@ -141,6 +146,9 @@ class _Cutter:
 
     def statements(self, number: int, plain: str, given: str) -> None:
         code, comment = self.without_comments(number, plain, given)
+        if self.other:
+            self.not_run(number, code)
+            return
         start = len(self.out.items)
         for first, last in _pieces(code):
             words = list(_split(code, first, last, number, closers=self.closers))
@@ -153,6 +161,12 @@ class _Cutter:
                 last_one.comment = comment
         elif comment:
             self.comments.append(comment)
+
+    def not_run(self, number: int, code: str) -> None:
+        """Say once for each block beside the main program that its instructions are not run."""
+        if code.strip() and self.other and self.other.stop >= 0:
+            self.out.diagnostics.append(rule("RDR018").at(Span(number, 0, len(code.rstrip())), row=self.other.row))
+            self.other = Span(self.other.row, 0, -1)
 
     def without_comments(self, number: int, plain: str, given: str) -> tuple[str, str]:
         """Blank out the comments of a row, so that columns stay, and give their words apart."""

@@ -44,6 +44,7 @@ def test_every_rule_about_a_text_has_a_sample_or_a_test_of_its_own(code: str) ->
         "RDR015": test_variables_that_never_end,
         "RDR016": test_more_findings_than_anyone_reads,
         "RDR017": test_a_list_of_another_family_is_recognised,
+        "RDR018": test_a_subroutine_is_not_run_as_part_of_the_main_program,
     }
     assert code in {sample.code for _, sample in SAMPLES} or code in here
 
@@ -66,6 +67,14 @@ def test_more_findings_than_anyone_reads() -> None:
     assert found[-1].span.row == MOST_FINDINGS + 1
     exactly = lint(read("LD I0.9\n" * MOST_FINDINGS, "s7-200"))
     assert {one.code for one in exactly} == {"RDR006"}
+
+
+def test_a_subroutine_is_not_run_as_part_of_the_main_program() -> None:
+    program = read(
+        "LD I0.0\n= Q0.0\nSUBROUTINE_BLOCK SBR_0:SBR0\nBEGIN\nLD I0.1\n= Q0.1\nEND_SUBROUTINE_BLOCK\n", "s7-200"
+    )
+    assert [line.text for line in program.lines] == ["LD I0.0", "= Q0.0"]
+    assert [(one.code, one.span.row) for one in lint(program)] == [("RDR018", 5)]
 
 
 def test_a_list_of_another_family_is_recognised() -> None:

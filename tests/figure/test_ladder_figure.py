@@ -78,6 +78,31 @@ def test_the_seal_in_contact_stands_below_the_start_contact_and_meets_it_in_a_do
     assert sum(isinstance(shape, Disc) and shape.ink == "dot" for shape in scene.shapes) == 1
 
 
+def test_a_join_and_the_branch_behind_it_have_a_vertical_each_and_a_short_wire_between() -> None:
+    scene = drawn("(I0.0 + I0.5) -> (I0.1 -> Q0.0), (I0.2 -> Q0.1)")
+    wires = [stroke.points for stroke in strokes(scene, "wire")]
+    closing, opening = sorted(x0 for (x0, y0), (x1, y1) in wires if x0 == x1 and y0 != y1)
+    upper, lower = sorted({y0 for (_, y0), (_, y1) in wires if y0 == y1})
+    assert opening - closing >= 12
+    assert ((closing, upper), (opening, upper)) in wires
+    level = [(x0, x1) for (x0, y0), (x1, y1) in wires if y0 == y1 == lower]
+    assert closing in {stop for _, stop in level}
+    assert opening in {start for start, _ in level}
+    assert not any(start < opening and stop > closing for start, stop in level)
+    assert {(shape.x, shape.y) for shape in scene.shapes if isinstance(shape, Disc) and shape.ink == "dot"} == {
+        (closing, upper),
+        (opening, upper),
+    }
+
+
+def test_two_parallel_blocks_in_series_and_power_between_them() -> None:
+    text = "(I0.0 + I0.1) · (I0.2 + I0.3) -> Q0.0"
+    tops = [stroke.points[0][0] for stroke in strokes(drawn(text), "wire") if tall(stroke)[1]]
+    assert len(set(tops)) == 3
+    (coil,) = coils(drawn(text, powered={"I0.1": 1, "I0.3": 1}))
+    assert coil.ink == "wire-on"
+
+
 def test_coils_of_all_rungs_stand_under_each_other_at_the_right_rail() -> None:
     scene = drawn("I0.0 -> Q0.0\nI0.0·I0.1·I0.2 -> (I0.3 -> Q0.1), Q0.2\n")
     assert len({disc.x for disc in coils(scene)}) == 1

@@ -26,6 +26,8 @@ from plcteach.core.ladder import (
     parallel,
     series,
 )
+from plcteach.dialects import dialect as find_dialect
+from plcteach.ladder.lower import lower
 from plcteach.ladder.picture import is_drawing, read_drawing, read_line, write_drawing, write_line
 
 sys.path.insert(0, str(Path(__file__).parent))
@@ -190,6 +192,8 @@ BAD = {
     "DRW013": "I0.0 + -> Q0.0",
     "DRW014": "(" * 100 + "I0.0" + ")" * 100 + " -> Q0.0",
     "DRW015": "   \n\n",
+    "DRW016": "--[ I0.0 ]--+--( Q0.0 )\n--[ Q0.0 ]---+",
+    "DRW017": "--[ I0.0 ]--+--( Q0.0 )\n--[ Q0.0 ]--",
 }
 
 
@@ -213,6 +217,8 @@ PLACES = [
     ("DRW008", "--[ I0.0 ]--( Q0.0 )\n            --( Q0.1 )", (2, 14, 22)),
     ("DRW009", "--[I0.0]--+--[I0.1]--+--(Q0.0)\n          +---(Q0.1) |\n--[I0.2]-------------+", (1, 21, 22)),
     ("DRW013", "I0.0 + * I0.1 -> Q0.0", (1, 7, 8)),
+    ("DRW013", "I0.0 → → Q0.0", (1, 7, 8)),
+    ("DRW013", "I0.0 → Q0.0 ,", (1, 13, 13)),
     ("DRW001", "－－［Ｉ０．０］－－（Ｑ０．０）灯", (1, 16, 17)),
 ]
 
@@ -223,9 +229,97 @@ def test_a_finding_stands_where_the_slip_is(code: str, drawing: str, place: tupl
     assert (found[0].span.row, found[0].span.start, found[0].span.stop) == place
 
 
-def test_a_joint_that_misses_by_one_column_is_pointed_at() -> None:
-    found = read_drawing("--[ I0.0 ]--+--( Q0.0 )\n             +--( Q0.1 )")[1]
-    assert [(one.code, one.notes[0].span.row, one.notes[0].span.start) for one in found] == [("DRW008", 1, 12)]
+def test_every_message_about_a_drawing_ends_with_a_question_and_no_blank() -> None:
+    for code in BAD:
+        says = RULES[code].says
+        assert (says.zh[-1], says.en[-1]) == ("？", "?")
+        assert (says.zh.strip(), says.en.strip()) == (says.zh, says.en)
+
+
+MISSED = {
+    "one column to the right": ("--[I0.0]--+--(Q0.0)\n--[Q0.0]---+", "DRW016", (2, 11), (1, 10)),
+    "two columns to the right": ("--[I0.0]--+--(Q0.0)\n--[Q0.0]----+", "DRW016", (2, 12), (1, 10)),
+    "one column to the left": ("--[I0.0]--+--(Q0.0)\n--[Q0.0]-+", "DRW016", (2, 9), (1, 10)),
+    "a branch aside": ("--[I0.0]--+--(Q0.0)\n           +--(Q0.1)", "DRW016", (2, 11), (1, 10)),
+    "the upper one aside": (
+        "--[I0.0]--+--(Q0.0)\n           +--(Q0.1)\n           +--(Q0.2)", "DRW016", (1, 10), (2, 11),
+    ),
+    "in the middle of three rows": (
+        "--[I0.0]--+--(Q0.0)\n--[I0.1]---+\n--[I0.2]--+", "DRW016", (2, 11), (1, 10),
+    ),
+    "a vertical wire aside": ("--[I0.0]--+\n           |\n--[Q0.0]--+--(Q0.0)", "DRW016", (2, 11), (1, 10)),
+    "a vertical wire aside below a wire": (
+        "--[I0.0]--+--(Q0.0)\n           |\n--[Q0.0]--+", "DRW016", (3, 10), (2, 11),
+    ),
+    "two pairs": (
+        "--[I0.0]--+--(Q0.0)\n--[I0.1]--+\n--[I0.2]---+\n--[I0.3]---+", "DRW016", (3, 11), (2, 10),
+    ),
+    "beside the left rail": ("--+--[I0.0]--+--(Q0.0)\n   +--[Q0.0]--+", "DRW016", (2, 3), (1, 2)),
+    "no joint at the end": ("--[I0.0]--+--(Q0.0)\n--[Q0.0]-", "DRW017", (2, 8), (1, 10)),
+    "no joint, right below": ("--[I0.0]--+--(Q0.0)\n--[Q0.0]---", "DRW017", (2, 10), (1, 10)),
+    "no joint at the beginning": ("--[I0.0]--+--(Q0.0)\n          ---(Q0.1)", "DRW017", (2, 10), (1, 10)),
+    "nothing but a contact": ("--[I0.0]--+--(Q0.0)\n--[ Q0.0 ]", "DRW017", (2, 9), (1, 10)),
+    "a tab in one row": ("\t--[I0.0]--+--(Q0.0)\n  --[Q0.0]--+", "DRW016", (2, 12), (1, 11)),
+    "a loose row that is otherwise a rung": (
+        "--[I0.0]--+--(Q0.0)\n--[Q0.0]---+--(Q0.1)", "DRW016", (2, 11), (1, 10),
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", MISSED)
+def test_a_joint_that_was_missed_is_said_with_both_places(name: str) -> None:
+    drawing, code, place, near = MISSED[name]
+    ladder, found = read_drawing(drawing)
+    assert ladder.rungs == ()
+    assert [(one.code, (one.span.row, one.span.start)) for one in found] == [(code, place)]
+    assert (found[0].notes[0].span.row, found[0].notes[0].span.start) == near
+    rows = [row.expandtabs(8) for row in drawing.split("\n")]
+    seen = [len(drawing.split("\n")[row - 1][:at].expandtabs(8)) + 1 for row, at in (place, near)]
+    assert all(f"{column}" in found[0].text.zh and f"{column}" in found[0].text.en for column in seen)
+    assert rows[near[0] - 1][seen[1] - 1] in "+|"
+    assert len(found[0].notes) == 1 + ("\t" in drawing)
+
+
+def test_the_message_names_both_columns() -> None:
+    (found,) = read_drawing("--[ I0.0 ]--+--( Q0.0 )\n--[ Q0.0 ]---+")[1]
+    assert found.text.en == (
+        "The + at column 14 has no + above it; the nearest is at column 13. Should they stand under each other?"
+    )
+    assert found.text.zh == "第14列的 + 上面没有 +，最近的在第13列。它们是不是应该上下对齐？"
+
+
+CLOSE = {
+    "joint beside joint": "--[I0.0]-+-+-[I0.1]-(Q0.0)\n--[I0.2]-+ +-[I0.3]-(Q0.1)",
+    "a joint that joins nothing": "--[I0.0]-+-[I0.1]-(Q0.0)",
+    "stairs": (
+        "--[I0.0]-+-[I0.1]-+-(Q0.0)\n         |        +-(Q0.1)\n         +-[I0.3]--+-(Q0.2)\n                   +-(Q0.3)"
+    ),
+    "a ragged right rail": "--[I0.0]--(Q0.0)--+\n--[I0.1]--(Q0.1)---+",
+}
+
+
+@pytest.mark.parametrize("name", CLOSE)
+def test_joints_that_are_near_each_other_on_purpose_are_left_alone(name: str) -> None:
+    assert read_drawing(CLOSE[name])[1] == ()
+
+
+def test_a_tab_reaches_to_the_next_multiple_of_eight() -> None:
+    rows = ["--[ I0.0 ]--\t+--( Q0.0 )", "--[ I0.1 ]--\t+"]
+    blanks = "\n".join(row.expandtabs(8) for row in rows)
+    assert {found.code for found in read_drawing(blanks)[1]} == {
+        found.code for found in read_drawing("\n".join(rows))[1]
+    }
+    assert one("\t--[ I0.0 ]--+--( Q0.0 )\n        --[ I0.1 ]--+") == Rung(Parallel((A, B)), (Q,))
+    assert one("  \t--[ I0.0 ]--+--( Q0.0 )\n\t--[ I0.1 ]--+") == Rung(Parallel((A, B)), (Q,))
+    (found,) = read_drawing("\t--[ I0.0 ]--( Q0.0 )\tlamp")[1]
+    assert (found.span.start, found.span.stop) == (22, 26)
+
+
+def test_a_join_and_the_branch_behind_it_stay_two_joints() -> None:
+    drawing = "--[ I0.0 ]--+--+--[ I0.1 ]--( Q0.0 )\n--[ I0.5 ]--+  +--[ I0.2 ]--( Q0.1 )\n"
+    assert write_drawing(one(drawing)) == drawing
+    merged = "--[ I0.0 ]--+--[ I0.1 ]--( Q0.0 )\n--[ I0.5 ]--+--[ I0.2 ]--( Q0.1 )\n"
+    assert write_drawing(one(merged)) == drawing
 
 
 def test_a_real_bridge_is_refused_and_said_once() -> None:
@@ -312,6 +406,18 @@ def test_one_slip_in_a_drawing_is_found_or_gives_another_ladder_but_never_a_cras
     ("|\n|--[I0.0]--(Q0.0)", True),
     ("├──[ I0.0 ]──( Q0.0 )┤", True),
     ("Network 1 // start\n--[I0.0]--(Q0.0)", True),
+    ("[I0.0]-[I0.1]-+-(Q0.0)", True),
+    ("[I0.0]-(Q0.0)", True),
+    (" |-[ I0.0 ] - ( Q0.0 )", True),
+    ("-(Q0.0)", True),
+    ("【I0.0】－（Q0.0）", True),
+    ("// [I0.0]-(Q0.0)\nLD I0.0", False),
+    ("[%MW0 := 1]", False),
+    ("[%MW0 := %MW1-(%MW2)]", False),
+    ("[ %MW0 := %MW1 - 1 ]\nLD %I0.0", False),
+    ("LD [%MW0 > 5]\nAND( %I0.1\nOR %I0.2\n)", False),
+    ("AND( %I0.1\nOR( %I0.2 - 1)", False),
+    ("LD I0.0 ; motor-(a)", False),
     ("LD I0.0 // -> the lamp\n= Q0.0", False),
     ("(* -- *)\nLD I0.0", False),
     ("Network 1 // a -- b\nLD I0.0\n= Q0.0", False),
@@ -320,6 +426,23 @@ def test_one_slip_in_a_drawing_is_found_or_gives_another_ladder_but_never_a_cras
 ])  # fmt: skip
 def test_a_drawing_is_told_from_a_program(text: str, *, expected: bool) -> None:
     assert is_drawing(text) is expected
+
+
+@pytest.mark.parametrize("family", ["s7-200", "fx", "neza", "gutta"])
+@settings(max_examples=60, deadline=None)
+@given(data=st.data())
+def test_no_instruction_list_is_taken_for_a_drawing(family: str, data: st.DataObject) -> None:
+    program = lower(data.draw(ladders(family)), find_dialect(family))
+    assert not is_drawing(program)
+    assert not any(is_drawing(line) for line in program.splitlines())
+
+
+@settings(max_examples=150, deadline=None)
+@given(chain=st.lists(st.sampled_from([A, B, Contact("I0.2", negated=True), Contact("I0.3", edge="rise")]), min_size=1))
+def test_single_dashes_are_wires(chain: list[Contact]) -> None:
+    row = "-".join([*(f"[{contact.mark}{contact.address}]" for contact in chain[:30]), "(Q0.0)"])
+    assert is_drawing(row)
+    assert one(row) == Rung(series(*chain[:30]), (Q,))
 
 
 def test_makers_give_the_plain_form() -> None:
