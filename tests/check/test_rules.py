@@ -12,6 +12,7 @@ from hypothesis import strategies as st
 from plcteach.check import lint
 from plcteach.check.rules import PROGRAM_RULES, STACK_RULES
 from plcteach.check.rules.registry import finds
+from plcteach.core import text as words
 from plcteach.core.diagnostic import MOST_FINDINGS, RULES
 from plcteach.core.errors import DeclarationError, UnknownNameError
 from plcteach.dialects import dialect, families
@@ -256,6 +257,18 @@ def test_a_note_shows_the_further_place_and_a_fix_says_what_to_do() -> None:
     (join,) = lint(read("LD X0\nLD X1\nORB\nOUT Y0", "fx"))
     assert [note.span.row for note in join.notes] == [3]
     assert "OR X1" in join.text.en
+
+
+def test_findings_show_themselves_and_nothing_found_says_so(monkeypatch: pytest.MonkeyPatch) -> None:
+    for lang, nothing in (("en", "Nothing to remark."), ("zh", "没有发现问题。")):
+        monkeypatch.setattr(words, "_chosen", [lang])
+        assert repr(lint("LD I0.0\n= Q0.0")) == nothing
+        assert nothing in lint("LD I0.0\n= Q0.0")._repr_html_()
+        bad = lint("LD I0.0\n<b>LPSS</b>\n= Q0.0")
+        assert len(repr(bad).split("\n")) == len(bad) > 0
+        assert bad[0].text.in_(lang) in repr(bad)
+        assert "<b>" not in bad._repr_html_()
+        assert bad[0].code in bad._repr_html_()
 
 
 def test_the_words_of_underflow_count() -> None:

@@ -218,6 +218,27 @@ def test_levels_are_counted_from_one_and_a_register_stands_above_them() -> None:
     assert Stack("", Text("栈", "stack"), 4).shape.depth == 4
 
 
+def test_every_value_says_what_it_is_in_one_line() -> None:
+    from plcteach.core.diagnostic import RULES
+    from plcteach.stl import read
+
+    program = read("LD X0\nOUT Y0\nLD X1\nSET M5", "fx")
+    assert repr(FX) == f"Dialect('fx', {len(FX.insns)} instructions)"
+    assert repr(FX.insn("ORB")) == "Insn('ORB', 'a.L b -- a|b')"
+    assert repr(FX.areas[0]) == "Area(X X0-X377)"
+    assert repr(program) == "Program(fx, 2 networks, 4 lines)"
+    assert repr(program.lines[0]) == "Line('LD X0')"
+    assert repr(RULES["STK001"]) == "Rule(STK001 underflow)"
+
+
+def test_a_programs_addresses_by_role() -> None:
+    from plcteach.stl import read
+
+    program = read("LD I0.1\nA I0.0\nS Q0.6, 3\n= M0.0\nA SM0.0\n= Q0.0", "s7-200")
+    shown = [[one.text for one in program.addresses(role)] for role in ("input", "output", "memory")]
+    assert shown == [["I0.0", "I0.1"], ["Q0.0", "Q0.6", "Q0.7", "Q1.0"], ["M0.0", "SM0.0"]]
+
+
 def test_every_instruction_stands_in_an_example_that_can_be_read_and_is_right() -> None:
     from plcteach.check import lint
     from plcteach.stl import read

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -42,6 +44,7 @@ AND = ["LD I0.0", "A I0.1", "= Q0.0"]
         "LD I0.0;;\n;\nA I0.1\n\n\n=Q0.0",
         "\tLD\tI0.0\r\n\tA\tI0.1\r\n\t=\tQ0.0\r\n",
         "LD I0.0\r\nA I0.1\r\n=Q0.0",
+        "LD I0.0 // an old Mac's line ends\rA I0.1\r=Q0.0\r",
         "ＬＤ　Ｉ０．０；Ａ　Ｉ０．１；＝　Ｑ０．０",
         "ld　i0。0；Ａ Ｉ０.1；=Q0.0",
         "LD I0.0 // start\nA I0.1 // guard\n= Q0.0 // lamp",
@@ -368,7 +371,7 @@ PIECES = [
 @given(text=st.text(max_size=120) | st.lists(st.sampled_from(PIECES)).map(" ".join))
 def test_anything_at_all_is_read_and_every_finding_is_a_declared_one_in_the_text(dialect: str, text: str) -> None:
     program = read(text, dialect)
-    rows = text.split("\n")
+    rows = re.split(r"\r\n|\r|\n", text)
     assert program.source == text
     for one in program.diagnostics:
         assert one.code in RULES
