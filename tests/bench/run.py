@@ -146,7 +146,7 @@ def traced() -> None:
     from plcteach.stl import read
 
     for copies in (1, 10, 100):
-        program = read(";".join([PROGRAM] * copies), "s7-200")
+        program = read("\n".join([PROGRAM] * copies), "s7-200")
         lines = [(line.insn.mnemonic, line.args[0].text if line.args else "") for line in program.lines]
         bits = {f"I0.{bit}": bit % 2 for bit in range(8)}
         ours = best(lambda program=program: run(program, 3).scans[1].steps) / (4 * len(lines))
