@@ -12,9 +12,8 @@ from plcteach.core.diagnostic import errors
 from plcteach.core.errors import PlcTeachError
 from plcteach.core.text import language
 from plcteach.core.verdict import Verdict
-from plcteach.dialects import dialect as find_dialect
 from plcteach.exercises import exercise as find_exercise
-from plcteach.ladder import is_drawing, lower, read_drawing
+from plcteach.ladder import is_drawing, read_either
 from plcteach.stl import read
 
 if TYPE_CHECKING:
@@ -56,15 +55,11 @@ def verdict_on(wanted: Program, program: Program, level: str = "either") -> Verd
 @lru_cache(maxsize=256)
 def reference(text: str, dialect: str | Dialect) -> Program:
     """Read a reference, a ladder drawing or a program; PlcTeachError if it has an error itself."""
-    family = find_dialect(dialect)
-    if is_drawing(text):
-        ladder, found = read_drawing(text)
-        if errors(found):
-            one = errors(found)[0]
-            msg = f"reference, row {one.span.row}, column {one.span.start + 1}: {one.text.in_(language())}"
-            raise PlcTeachError(msg)
-        text = lower(ladder, family)
-    program = read(text, family)
+    program = read_either(text, dialect)
+    if is_drawing(text) and errors(program.diagnostics):
+        one = errors(program.diagnostics)[0]
+        msg = f"reference, row {one.span.row}, column {one.span.start + 1}: {one.text.in_(language())}"
+        raise PlcTeachError(msg)
     wrong = errors(lint(program))
     if wrong:
         msg = f"the reference has an error itself: {wrong[0]}"

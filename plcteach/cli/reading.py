@@ -7,17 +7,15 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from plcteach.core.diagnostic import errors
-from plcteach.core.program import Program
 from plcteach.core.source import decode
 from plcteach.dialects import dialect as find_dialect
 from plcteach.dialects import names
-from plcteach.ladder import is_drawing, lower, read_drawing
-from plcteach.stl import read
+from plcteach.ladder import read_either
 
 if TYPE_CHECKING:
     import argparse
 
+    from plcteach.core.program import Program
     from plcteach.core.spec import Dialect
 
 
@@ -47,12 +45,7 @@ def family_of(options: argparse.Namespace) -> Dialect:
 
 def program_of(name: str, options: argparse.Namespace) -> Program:
     """Read a program file, or lower a ladder drawing, in the family that the caller chose."""
-    text = text_of(name, options)
-    if not is_drawing(text):
-        return read(text, family_of(options))
-    ladder, found = read_drawing(text)
-    family = family_of(options)
-    return Program(family, (), source=text, diagnostics=found) if errors(found) else read(lower(ladder, family), family)
+    return read_either(text_of(name, options), family_of(options))
 
 
 def scans_of(name: str | None) -> list[dict[str, Any]]:

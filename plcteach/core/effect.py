@@ -109,7 +109,7 @@ class Effect:
 
     def bind(self, numbers: dict[str, int]) -> Effect:
         """Put numbers for the operands inside "[n]", as a line `LDS 3` does."""
-        if not any("[" in clause_text for clause_text in (self.text,)):
+        if "[" not in self.text:
             return self
         return _bind(self, tuple(sorted(numbers.items())))
 

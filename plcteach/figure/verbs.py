@@ -16,11 +16,10 @@ from plcteach.figure.ladder import ladder_scene
 from plcteach.figure.stack import illustrate as stack_scene
 from plcteach.figure.strip import strip as strip_scene
 from plcteach.figure.svg import Figure
-from plcteach.ladder import is_drawing, lower, read_drawing
+from plcteach.ladder import read_drawing, read_either
 from plcteach.machine.rows import Rows
 from plcteach.machine.scan import SCAN_MS, Memory, Trace, sweep
 from plcteach.machine.scan import run as run_program
-from plcteach.stl import read
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping
@@ -36,17 +35,11 @@ def program_of(text: str | Program, dialect: str | Dialect | None = None) -> Pro
     """Read a list, or lower a ladder drawing; PlcTeachError with the first finding where it cannot be read."""
     if not isinstance(text, str):
         return text
-    family = find_dialect(dialect or names()[0])
-    if is_drawing(text):
-        ladder, found = read_drawing(text)
-        if not errors(found):
-            return read(lower(ladder, family), family)
-    else:
-        program = read(text, family)
-        found = program.diagnostics
-        if not errors(found):
-            return program
-    one = errors(found)[0]
+    program = read_either(text, dialect or names()[0])
+    found = errors(program.diagnostics)
+    if not found:
+        return program
+    one = found[0]
     msg = f"row {one.span.row}: {one.text.in_(language())}"
     raise PlcTeachError(msg)
 
