@@ -13,7 +13,8 @@ from itertools import pairwise, product
 import pytest
 
 from plcteach.core.notation import parse_effect, parse_formula
-from plcteach.core.spec import Dialect, Insn, Verb
+from plcteach.core.spec import Dialect, Insn
+from plcteach.core.verb import Verb
 from plcteach.dialects import dialect
 from plcteach.machine import run
 from plcteach.machine.formula import name, written

@@ -8,11 +8,13 @@ import unicodedata
 from typing import TYPE_CHECKING, Any
 
 from plcteach.check.report import summary
+from plcteach.core.diagnostic import errors
 from plcteach.core.text import Text, language
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from plcteach.cli.folder import Linted
     from plcteach.core.diagnostic import Diagnostic
     from plcteach.core.program import Program
     from plcteach.core.verdict import Verdict
@@ -113,6 +115,50 @@ def print_findings(found: Sequence[Diagnostic], program: Program) -> None:
             print(f"    {note.span.row}: {note.text.in_(lang)}")
         if one.fix.en:
             print(f"    {one.fix.in_(lang)}")
+
+
+def print_folder(files: Sequence[Linted]) -> None:
+    """Print what was found file by file, and at the end a table with a row for each file and the totals."""
+    if not files:
+        print(say("这个文件夹里没有程序。", "There is no program in this folder."))
+        return
+    for one in files:
+        if one.found:
+            print(f"== {one.name}")
+            print_findings(one.found, one.program)
+    table = [
+        [
+            say("文件", "file"),
+            say("读来像", "reads like"),
+            say("错误", "errors"),
+            say("警告", "warnings"),
+            say("第一条", "first finding"),
+        ],
+        *([one.name, one.other.in_(language()), *_counts([one]), _first(one.found)] for one in files),
+        [say(f"共{len(files)}个文件", f"{len(files)} files"), "", *_counts(files), ""],
+    ]
+    if not any(one.other.en for one in files):
+        table = [[row[0], *row[2:]] for row in table]
+    print_table(table[0], table[1:])
+
+
+def _counts(files: Sequence[Linted]) -> tuple[str, str]:
+    severities = [each.severity for one in files for each in one.found]
+    return f"{severities.count('error')}", f"{severities.count('warning')}"
+
+
+def _first(found: Sequence[Diagnostic]) -> str:
+    """Give the first error, or else the first finding, in as few words as a table has room for."""
+    one = next(iter(errors(found)), found[0] if found else None)
+    if one is None:
+        return ""
+    words = f"{one.span.row}: {one.code} {one.text.in_(language())}"
+    while _width(words) > _ROOM:
+        words = f"{words[:-2]}…"
+    return words
+
+
+_ROOM = 60
 
 
 def _width(text: str) -> int:

@@ -10,6 +10,7 @@ from plcteach.cli.printing import (
     finding_json,
     plain,
     print_findings,
+    print_folder,
     print_json,
     print_table,
     print_verdict,
@@ -28,7 +29,6 @@ if TYPE_CHECKING:
     from plcteach.core.program import Program
 
 RIGHT, WRONG, MISCALLED = 0, 1, 2
-_NO_PROGRAMS = {".md", ".json", ".html", ".pdf", ".png", ".svg", ".ipynb", ".py", ".toml", ".zip"}
 
 
 def run_verb(options: argparse.Namespace) -> int:
@@ -70,25 +70,14 @@ def lint_verb(options: argparse.Namespace) -> int:
 
 
 def _lint_folder(folder: Path, options: argparse.Namespace) -> int:
-    files = sorted(path for path in folder.rglob("*") if path.is_file() and _may_be_program(path))
-    programs = {str(path.relative_to(folder)): program_of(str(path), options) for path in files}
-    found = {name: lint(program) for name, program in programs.items()}
+    from plcteach.cli.folder import lint_files
+
+    files = list(lint_files(folder, family_of(options), options.encoding))
     if options.json:
-        print_json({name: [finding_json(one) for one in each] for name, each in found.items()})
-    elif not found:
-        print(say("这个文件夹里没有程序。", "There is no program in this folder."))
+        print_json({one.name: [finding_json(each) for each in one.found] for one in files})
     else:
-        for name, each in found.items():
-            if each:
-                print(f"== {name}")
-                print_findings(each, programs[name])
-        rows = [[name, len(errors(each)), len(each) - len(errors(each))] for name, each in found.items()]
-        print_table([say("文件", "file"), say("错误", "errors"), say("其他", "others")], rows)
-    return WRONG if any(errors(each) for each in found.values()) else RIGHT
-
-
-def _may_be_program(path: Path) -> bool:
-    return not path.name.startswith(".") and path.suffix.lower() not in _NO_PROGRAMS
+        print_folder(files)
+    return WRONG if any(errors(one.found) for one in files) else RIGHT
 
 
 def check_verb(options: argparse.Namespace) -> int:

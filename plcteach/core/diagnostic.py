@@ -313,15 +313,28 @@ _ROWS = (
     ),
     Rule(
         "RDR018",
-        "other-block",
+        "interrupt-block",
         "error",
         Text(
-            "第{row}行开始的子程序或中断程序里有指令，这里还不执行它；只执行主程序。能把它们写进主程序吗？",
-            "The subroutine or interrupt block that begins in row {row} holds instructions, and only the main program is run here. Could they stand there?",
+            "第{row}行开始的中断程序里有指令；这里只执行主程序和它调用的子程序，不执行中断程序。能把它们写进主程序吗？",
+            "The interrupt block that begins in row {row} holds instructions, and only the main program and the subroutines it calls are run here. Could they stand there?",
         ),
         Text(
-            "主程序每个扫描执行一次；子程序要被调用，中断程序要等事件，不能接在主程序后面执行。",
-            "The main program runs once a scan; a subroutine waits to be called and an interrupt for its event.",
+            "主程序每个扫描执行一次，子程序被调用时执行；中断程序要等事件，不接在主程序后面执行。",
+            "The main program runs once a scan and a subroutine when it is called; an interrupt waits for its event.",
+        ),
+    ),
+    Rule(
+        "RDR019",
+        "word-for-bit",
+        "error",
+        Text(
+            "{word}的操作数是一个位（{expected}），而{address}是一个字或一个功能块。要用的是哪一位？",
+            "{word} works on one bit ({expected}), and {address} is a word or a whole block. Which bit of it is meant?",
+        ),
+        Text(
+            "触点和线圈一次只读写一个位；字要用比较、传送和运算指令。",
+            "A contact or coil reads or writes one bit; words have their own instructions: compare, move, arithmetic.",
         ),
     ),
     # STK: the stack, whatever the values
@@ -548,6 +561,32 @@ _ROWS = (
             "What enters at the bottom when the stack moves up is unknown; a sound program never uses it.",
         ),
         (4, 12, 13),
+    ),
+    Rule(
+        "RUN002",
+        "runaway",
+        "error",
+        Text(
+            "一个扫描周期里已经执行了{count}条指令还没有结束：{word}总是往回跳，扫描到不了末尾。怎样让它停下来？",
+            "One scan has executed {count} lines without coming to its end: {word} goes back again and again. What is to stop it?",
+        ),
+        Text(
+            "PLC的看门狗会在扫描时间过长时停机；往回跳的程序必须有结束的条件。",
+            "A PLC's watchdog stops a scan that takes too long; whatever goes back needs a condition that ends it.",
+        ),
+    ),
+    Rule(
+        "RUN003",
+        "nested-too-deep",
+        "warning",
+        Text(
+            "{word}处的子程序已经嵌套8层，这一次不再调用。",
+            "At {word} eight calls are already nested, so this one is not made.",
+        ),
+        Text(
+            "子程序最多嵌套8层；自己调用自己的子程序很快就会用完。",
+            "Calls nest eight deep; a subroutine that calls itself uses them up quickly.",
+        ),
     ),
     # CHK: beside the reference
     Rule(
@@ -784,6 +823,239 @@ _ROWS = (
         Text(
             "横线要接到竖线上，交点处写 +；只靠在旁边不算接上。",
             "Where a wire joins one above or below, a + stands; being near is not being joined.",
+        ),
+    ),
+    # SYM: symbol tables
+    Rule(
+        "SYM001",
+        "symbol-without-address",
+        "error",
+        Text(
+            "符号“{name}”后面没有地址。它代表哪个地址？",
+            "The symbol {name} has no address behind it. Which one does it stand for?",
+        ),
+        Text(
+            "符号表的一行是：符号、地址、注释，用制表符分开。",
+            "A row of a symbol table is a name, an address and a comment, with tabs between them.",
+        ),
+    ),
+    Rule(
+        "SYM002",
+        "address-without-symbol",
+        "error",
+        Text(
+            "这一行只有“{address}”，没有符号名。想给它起什么名字？",
+            "This row says {address} but gives no name. What should it be called?",
+        ),
+        Text(
+            "符号是给人看的名字，PLC只认识地址。", "A symbol is a name for people; the PLC itself knows addresses only."
+        ),
+    ),
+    Rule(
+        "SYM003",
+        "symbol-twice",
+        "error",
+        Text(
+            "符号“{name}”在第{row}行已经代表{first}，这里又写成{second}；按前一个读。哪一个对？",
+            "{name} stands for {first} since row {row}, and here for {second}; the first one counts. Which of them is right?",
+        ),
+        Text(
+            "一个符号只能代表一个地址，否则程序里写它时不知道指哪一个。",
+            "A name stands for one address; otherwise nobody knows which one a program means by it.",
+        ),
+    ),
+    Rule(
+        "SYM004",
+        "address-named-twice",
+        "warning",
+        Text(
+            "{address}已经叫“{other}”，这里又叫“{name}”。是同一个信号吗？",
+            "{address} is called {other} already, and here {name}. Is it the same signal?",
+        ),
+        Text(
+            "两个名字指同一位时，读程序的人会以为是两个信号。",
+            "Where two names mean one bit, a reader takes them for two signals.",
+        ),
+    ),
+    Rule(
+        "SYM005",
+        "symbol-address-unread",
+        "error",
+        Text(
+            "符号“{name}”后面的“{address}”读不成地址。这里应写I0.0或X0这样的地址，是不是两列写反了？",
+            "{address} behind the symbol {name} does not read as an address such as I0.0 or X0. Have two columns changed places?",
+        ),
+        Text(
+            "地址里总有编号；没有编号的词，PLC找不到它。",
+            "An address has a number in it; a word without one leads to no place in the PLC.",
+        ),
+    ),
+    # TIM: timelines of inputs
+    Rule(
+        "TIM001",
+        "row-unread",
+        "error",
+        Text(
+            "“{word}”前面没有地址和冒号。一行应像 {example} 这样写：哪个输入，各持续多久？",
+            "There is no address and colon before {word}. A row reads {example}: which input is it, and for how long is it what?",
+        ),
+        Text(
+            "时间表的一行是一个输入：地址、冒号，然后是一段一段的状态。",
+            "A row of a timeline is one input: its address, a colon, and its phases one after the other.",
+        ),
+    ),
+    Rule(
+        "TIM002",
+        "address-unknown",
+        "error",
+        Text(
+            "“{word}”不是{family}的地址。这一行说的是哪个输入？",
+            "{word} is no address of {family}. Which input is this row about?",
+        ),
+        Text(
+            "时间表按地址驱动输入；这个机型没有的地址，什么也驱动不了。",
+            "A timeline drives inputs by their addresses; one that the family lacks drives nothing.",
+        ),
+    ),
+    Rule(
+        "TIM003",
+        "phase-unread",
+        "error",
+        Text(
+            "“{word}”读不成一段。一段是时间加状态，如 0.2s on；时间的单位是ms、s、min。这里想写什么？",
+            "{word} does not read as a phase. One is a length and a state, such as 0.2s on, in ms, s or min. What is meant here?",
+        ),
+        Text(
+            "先写多久，再写是通是断：1s off, 0.2s on, off。",
+            "First for how long, then on or off: 1s off, 0.2s on, off.",
+        ),
+    ),
+    Rule(
+        "TIM004",
+        "length-missing",
+        "error",
+        Text(
+            "“{word}”不是{address}的最后一段，要写明持续多久。多长时间？",
+            "{word} is not the last phase of {address}, so it needs a length. How long is it?",
+        ),
+        Text(
+            "只有最后一段可以不写时间，它一直保持到结束。",
+            "Only the last phase may go without a length: it lasts to the end.",
+        ),
+    ),
+    Rule(
+        "TIM005",
+        "state-unsuited",
+        "error",
+        Text(
+            "{address}{what}，不能是{word}。这里应写什么？",
+            "{address} {what}, so it cannot be {word}. What should it be?",
+        ),
+        Text("位只有通和断两种状态，字才能装下数。", "A bit is on or off and nothing else; numbers want a word."),
+    ),
+    Rule(
+        "TIM006",
+        "repetition-unread",
+        "error",
+        Text(
+            "这里的括号或重复次数读不懂（{word}）。重复要写成 3 x (0.5s on, 0.5s off)，几次，哪几段？",
+            "The parentheses or the count do not add up here ({word}). A repetition is 3 x (0.5s on, 0.5s off): how often, and which phases?",
+        ),
+        Text(
+            "括号成对，前面写次数，里面每一段都要有时间。",
+            "Parentheses come in pairs with a count before them, and every phase within has a length.",
+        ),
+    ),
+    Rule(
+        "TIM007",
+        "timeline-too-long",
+        "error",
+        Text(
+            "这张时间表太长（{size}），plcteach最多算{most}。能短一些，或把扫描时间加大吗？",
+            "The timeline is too long ({size}); plcteach goes up to {most}. Can it be shorter, or the scans longer?",
+        ),
+        Text(
+            "时间是虚拟的，但每个扫描都要真正算一遍。",
+            "Time is virtual here, but each scan is really worked out.",
+        ),
+    ),
+    Rule(
+        "TIM008",
+        "input-twice",
+        "error",
+        Text(
+            "{address}在第{row}行已经有一行；只按那一行走。要把两行接成一行吗？",
+            "{address} has a row already, in row {row}, and only that one counts. Should the two become one?",
+        ),
+        Text(
+            "一个输入在同一时刻只有一个状态。",
+            "At any moment an input has one state.",
+        ),
+    ),
+    Rule(
+        "TIM009",
+        "phase-unseen",
+        "warning",
+        Text(
+            "{address}的这一段（{word}）落在两次扫描之间，程序看不到它。要长过一个扫描（{scan} ms）吗？",
+            "This phase of {address} ({word}) falls between two scans, and the program never sees it. Should it last longer than one scan ({scan} ms)?",
+        ),
+        Text(
+            "输入只在每个扫描开始时读一次；比扫描周期短的脉冲可能被漏掉。",
+            "Inputs are read once, at the start of each scan; a pulse shorter than a scan may be missed.",
+        ),
+    ),
+    Rule(
+        "TIM010",
+        "length-unsuited",
+        "error",
+        Text(
+            "“{word}”的时间不是整毫秒，或者是0。这一段持续几毫秒？",
+            "The length in {word} is no whole number of milliseconds, or it is 0. How many milliseconds is it?",
+        ),
+        Text(
+            "这里的时间以毫秒为单位，最短1 ms。",
+            "Time is counted in milliseconds here, and the shortest is 1 ms.",
+        ),
+    ),
+    # FIL: files that are no text
+    Rule(
+        "FIL001",
+        "file-unread",
+        "error",
+        Text(
+            "这个文件打不开（{reason}）。它还在那里，可以读吗？",
+            "The file could not be opened ({reason}). Is it still there, and may it be read?",
+        ),
+        Text(
+            "打不开的文件没有检查过，所以算一个错误。",
+            "A file that was not read was not looked at, so it counts as an error.",
+        ),
+    ),
+    Rule(
+        "FIL002",
+        "file-not-text",
+        "error",
+        Text(
+            "这个文件不是文本，多半是软件自己的工程文件。能从那个软件里导出为文本吗？",
+            "This file is no text; most likely it is a project as the software keeps it. Can the program be exported from there as text?",
+        ),
+        Text(
+            "plcteach读的是导出的文本：.awl、指令表、CSV。",
+            "What plcteach reads is exported text: .awl, an instruction list, CSV.",
+        ),
+    ),
+    Rule(
+        "FIL003",
+        "ladder-not-written-out",
+        "error",
+        Text(
+            "这个文件里的梯形图写不成{family}的{list}：{reason}能换一种画法吗？",
+            "The ladder in this file cannot be written as {list} of {family}: {reason} Can it be drawn in another way?",
+        ),
+        Text(
+            "不是每一张梯形图都能写成指令；各家能写的也不一样。",
+            "Not every ladder can be written as instructions, and each family's can do something else.",
         ),
     ),
 )

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from functools import cached_property
 from typing import TYPE_CHECKING
 
 from plcteach.core.area import Address
@@ -10,18 +11,65 @@ from plcteach.core.diagnostic import errors
 from plcteach.core.source import Span
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Iterator, Mapping
 
     from plcteach.core.diagnostic import Diagnostic
     from plcteach.core.effect import Effect
     from plcteach.core.spec import Dialect, Insn
 
-Arg = Address | int
+
+@dataclass(frozen=True, slots=True)
+class Value:
+    """A number in a program, with its canonical spelling (K10, 16#0F, 3.14)."""
+
+    number: int | float
+    text: str
+
+    def __repr__(self) -> str:
+        return self.text
+
+
+Source = Address | Value
+
+
+@dataclass(frozen=True, slots=True)
+class Compare:
+    """Two words compared: an operand that reads as a bit. relation: one of = <> >= <= > <; kind: how wide the words are."""
+
+    left: Source
+    relation: str
+    right: Source
+    kind: str
+    text: str
+
+    def __repr__(self) -> str:
+        return self.text
+
+
+@dataclass(frozen=True, slots=True)
+class Assign:
+    """A word worked out from others: target := op(sources), as NEZA writes it in brackets."""
+
+    target: Address
+    op: str
+    sources: tuple[Source, ...]
+    kind: str
+    text: str
+
+    def __repr__(self) -> str:
+        return self.text
+
+
+Arg = Address | Value | Compare | Assign | int
 
 
 @dataclass(frozen=True, slots=True)
 class Line:
-    """One instruction of a program; `bound` has its operands by name, `effect` is what it does here (FX's LD has two readings, `)` one for each opener)."""
+    """One instruction of a program.
+
+    bound: its operands by name.  effect: what it does here (FX's LD has two readings, `)` one for each opener).
+    said: how the list spells it where that is shorter than its meaning (`IN` inside a block, for the pin of that block).
+    """
 
     insn: Insn
     args: tuple[Arg, ...]
@@ -29,6 +77,7 @@ class Line:
     span: Span = field(default=Span(0), compare=False)
     comment: str = ""
     above: tuple[str, ...] = ()
+    said: str = ""
     bound: dict[str, Arg] = field(init=False, compare=False)
 
     def __post_init__(self) -> None:
@@ -42,41 +91,69 @@ class Line:
     @property
     def text(self) -> str:
         """The canonical spelling: mnemonic, a space, the operands separated by commas."""
-        operands = ", ".join(str(arg) if isinstance(arg, int) else arg.text for arg in self.args)
-        return f"{self.insn.mnemonic} {operands}" if operands else self.insn.mnemonic
+        if self.said:
+            return self.said
+        pairs = zip(self.insn.operands, self.args, strict=False)
+        operands = ", ".join(f"{one.mark}{arg}" if isinstance(arg, int) else arg.text for one, arg in pairs)
+        word = self.insn.word
+        return f"{word} {operands}".strip() if operands else word
 
     @property
     def bits(self) -> tuple[Address, ...]:
-        """The operands that are addresses."""
-        return tuple(arg for arg in self.args if isinstance(arg, Address))
+        """The operands that are addresses of bits."""
+        return tuple(arg for arg in self.args if isinstance(arg, Address) and arg.size == 1)
+
+    @property
+    def places(self) -> tuple[Address, ...]:
+        """Every address that the line names, inside comparisons and assignments too."""
+        return tuple(place for arg in self.args for place in _places(arg))
+
+
+def _places(arg: Arg) -> Iterator[Address]:
+    match arg:
+        case Address():
+            yield arg
+        case Compare(left, _, right):
+            yield from (one for one in (left, right) if isinstance(one, Address))
+        case Assign(target, _, sources):
+            yield target
+            yield from (one for one in sources if isinstance(one, Address))
 
 
 @dataclass(frozen=True, slots=True)
 class Network:
-    """One network (rung) of a program, with its title and the lines in order."""
+    """One network (rung) of a program, with its title and the lines in order; `block` is the subroutine it belongs to."""
 
     title: str
     lines: tuple[Line, ...]
     headed: bool = True
+    block: str = ""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Program:
-    """What the reader made of a text: as much as it understood, and everything it found."""
+    """What the reader made of a text: as much as it understood, and everything it found.
+
+    settings: for each configured block what its line says, by its words.  configuration: those lines, in canonical spelling.
+    symbols: names for addresses, as a symbol table gives them.
+    """
 
     dialect: Dialect
     networks: tuple[Network, ...]
     tail: tuple[str, ...] = ()
+    configuration: tuple[str, ...] = ()
     source: str = field(default="", compare=False)
     diagnostics: tuple[Diagnostic, ...] = field(default=(), compare=False)
+    settings: Mapping[str, Mapping[str, int | str | tuple[str, ...]]] = field(default_factory=dict, compare=False)
+    symbols: Mapping[str, str] = field(default_factory=dict, compare=False)
 
     def __repr__(self) -> str:
         lines = sum(len(network.lines) for network in self.networks)
         return f"Program({self.dialect.name}, {len(self.networks)} networks, {lines} lines)"
 
-    @property
+    @cached_property
     def lines(self) -> tuple[Line, ...]:
-        """All lines of all networks, in the order in which a scan executes them."""
+        """All lines of all networks, in the order in which they stand."""
         return tuple(line for network in self.networks for line in network.lines)
 
     @property
@@ -85,16 +162,25 @@ class Program:
         return not errors(self.diagnostics)
 
     def addresses(self, role: str) -> tuple[Address, ...]:
-        """Give the addresses of one role ("input", "output", "memory") that the program names, in order of index."""
-        found = {arg for line in self.lines for arg in _touched(self.dialect, line)}
+        """Give the bits of one role ("input", "output", "memory") that the program names, in order of index."""
+        found = {
+            one for line in self.lines for arg in _touched(self.dialect, line) for one in self.dialect.bits_of(arg)
+        }
         mine = (address for address in found if self.dialect.area(address).role == role)
-        return tuple(sorted(mine, key=lambda address: (address.area, address.index)))
+        return tuple(sorted(mine, key=lambda address: (address.area, address.index, address.text)))
+
+    def words(self) -> tuple[Address, ...]:
+        """Give the words that the program names, and the blocks, in order of area and index."""
+        found = {place for line in self.lines for place in line.places if place.size != 1}
+        return tuple(sorted(found, key=lambda address: (address.area, address.index, address.text)))
 
 
 def _touched(dialect: Dialect, line: Line) -> Iterator[Address]:
     bound = line.bound
     counts = {verb.target: bound.get(verb.count, 1) for verb in line.insn.then}
     for name, arg in bound.items():
-        if isinstance(arg, Address):
+        if isinstance(arg, Address) and arg.size == 1:
             count = counts.get(name, 1)
             yield from dialect.following(arg, count if isinstance(count, int) else 1)
+        else:
+            yield from _places(arg)

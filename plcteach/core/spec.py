@@ -10,56 +10,34 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import TYPE_CHECKING, Literal
 
-from plcteach.core.area import LONGEST, Address, Area, Kind
+from plcteach.core.area import BYTE, Address, Area, Kind
+from plcteach.core.block import Bank, Block
 from plcteach.core.diagnostic import RULES
-from plcteach.core.effect import At, Effect, Formula, Shape, names
+from plcteach.core.effect import At, Effect, Shape
 from plcteach.core.errors import DeclarationError, UnknownNameError
-from plcteach.core.notation import parse_effect, parse_formula
+from plcteach.core.notation import parse_effect
 from plcteach.core.text import NOTHING, Text
+from plcteach.core.verb import Verb
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping
 
-VerbName = Literal["coil", "set", "reset", "end"]
-
-
-@dataclass(frozen=True, slots=True)
-class Verb:
-    """What an instruction does beside its stack effect: a verb, the formula that decides, and the operand it writes."""
-
-    name: VerbName
-    formula: Formula | None = None
-    target: str = "out"
-    count: str = ""
-
-
-def coil(formula: str, target: str = "out") -> Verb:
-    """Write the value of `formula` to the operand."""
-    return Verb("coil", parse_formula(formula), target)
-
-
-def set_(formula: str, count: str = "") -> Verb:
-    """Where `formula` is 1, write 1 to the operand (and to the `count`-1 bits after it)."""
-    return Verb("set", parse_formula(formula), count=count)
-
-
-def reset(formula: str, count: str = "") -> Verb:
-    """Where `formula` is 1, write 0 to the operand (and to the `count`-1 bits after it)."""
-    return Verb("reset", parse_formula(formula), count=count)
-
-
-END = Verb("end")
-
 
 @dataclass(frozen=True, slots=True)
 class Operand:
-    """An operand: its name in the effect, and either the kind of address it takes or its range of numbers."""
+    """An operand: its name in the effect, and either the kind of address it takes or its range of numbers.
+
+    relation: it is two words with this relation between them, and reads as a bit.
+    mark: a letter that stands before the number (N0, P3), or a word with the sign that ends it.
+    """
 
     name: str
     kind: str = ""
     first: int = 0
     last: int = 0
     optional: bool = False
+    relation: str = ""
+    mark: str = ""
 
     @property
     def number(self) -> bool:
@@ -67,19 +45,21 @@ class Operand:
         return not self.kind
 
 
-_OPERAND = re.compile(r"(?P<name>\w+)(?::(?:(?P<first>\d+)\.\.(?P<last>\d+)|(?P<kind>\w+)))?(?P<optional>\?)?")
+_OPERAND = re.compile(
+    r"(?P<name>\w+)(?::(?:(?P<mark>[A-Z%]*)(?P<first>-?\d+)\.\.(?P<last>\d+)|(?P<kind>\w+)(?P<relation>[<>=]*)))?(?P<optional>\?)?"
+)
 
 
 def parse_operand(text: str) -> Operand:
-    """Read `bit`, `m:out`, `n:0..8` or `bit?` as an operand."""
+    """Read `bit`, `m:out`, `n:0..8`, `n:N0..7`, `cmp:word>=` or `bit?` as an operand."""
     match = _OPERAND.fullmatch(text)
     if not match:
-        msg = f"operand {text!r}: expected name, name:kind or name:first..last"
+        msg = f"operand {text!r}: expected name, name:kind, name:kind>= or name:first..last"
         raise DeclarationError(msg)
     optional = bool(match["optional"])
     if match["first"] is not None:
-        return Operand(match["name"], "", int(match["first"]), int(match["last"]), optional)
-    return Operand(match["name"], match["kind"] or match["name"], optional=optional)
+        return Operand(match["name"], "", int(match["first"]), int(match["last"]), optional, mark=match["mark"] or "")
+    return Operand(match["name"], match["kind"] or match["name"], optional=optional, relation=match["relation"] or "")
 
 
 @dataclass(frozen=True, slots=True)
@@ -103,6 +83,16 @@ class Insn:
         return f"Insn({self.mnemonic!r}, {self.effect.text!r})"
 
     @property
+    def word(self) -> str:
+        """The mnemonic as a list spells it, without the area by which `OUT T` is told from `OUT`."""
+        return self.mnemonic.partition(" ")[0]
+
+    @property
+    def powers(self) -> bool:
+        """Whether it powers the rail for the lines below it, so that what it loads need not be used."""
+        return any(verb.name in {"step", "segment"} for verb in self.then)
+
+    @property
     def effects(self) -> tuple[Effect, ...]:
         """Every effect that this instruction can have."""
         return tuple(one for one in (self.effect, self.fresh, self.bare, self.close) if one)
@@ -115,7 +105,7 @@ def insn(
     *,
     zh: str,
     en: str,
-    then: Verb | None = None,
+    then: Verb | tuple[Verb, ...] = (),
     fresh: str = "",
     bare: str = "",
     close: str = "",
@@ -126,7 +116,7 @@ def insn(
         tuple(parse_operand(word) for word in operands.split()),
         parse_effect(effect),
         Text(zh, en),
-        (then,) if then else (),
+        then if isinstance(then, tuple) else (then,),
         parse_effect(fresh) if fresh else None,
         parse_effect(bare) if bare else None,
         parse_effect(close) if close else None,
@@ -141,8 +131,8 @@ def _complete(row: Insn) -> None:
     wanted = set().union(*(one.operands for one in row.effects))
     taken = {take.name for clause in row.effect.clauses for take in clause.takes}
     for verb in row.then:
-        if verb.formula:
-            wanted |= (names(verb.formula) - taken) | {verb.target} | ({verb.count} if verb.count else set())
+        wanted |= (verb.names - taken) | verb.operands
+    wanted -= REGISTERS
     if wanted - declared:
         msg = f"{row.mnemonic}: {', '.join(sorted(wanted - declared))} stands in no stack and is no operand"
         raise DeclarationError(msg)
@@ -152,6 +142,22 @@ def _complete(row: Insn) -> None:
         if operand.name in counted and not operand.number:
             msg = f"{row.mnemonic}: [{operand.name}] counts cells, so {operand.name} wants a range of numbers"
             raise DeclarationError(msg)
+
+
+def compares(prefixes: Mapping[str, str], sizes: Mapping[str, str], *, zh: str, en: str) -> tuple[Insn, ...]:
+    """Declare the family of comparing contacts: for each prefix its effect on `cmp`, for each size letter its kind."""
+    return tuple(
+        insn(f"{prefix}{letter}{relation}", f"cmp:{size}{relation}", effect, zh=zh, en=en)
+        for prefix, effect in prefixes.items()
+        for letter, size in sizes.items()
+        for relation in RELATIONS
+    )
+
+
+RELATIONS = ("=", "<>", ">=", "<=", ">", "<")
+
+REGISTERS = frozenset({"ENO"})
+"""Bits of the machine that a formula may name and no stack or operand holds: whether the last box went well."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -214,7 +220,14 @@ class Dialect:
     traps: the reader's stack errors stop the machine; where False, x flows instead (S7-200).
     roles: which mnemonic plays which part when a ladder is written out, and in the rules about blocks and branches.
     aliases: other spellings of mnemonics (German).  letters: other letters of areas (German E, A).
-    recognised: mnemonics known by name but not run here.  specials: bits that the system drives: "on", "off", "first", "later".
+    recognised: mnemonics known by name but not run here.
+    specials: bits that the system drives: "on", "off", "first" (scan), "later", "cold" (first scan of a cold start), "warm",
+    "turns" (one scan on, one off), or the period of a clock in ms ("1000").
+    blocks: the function blocks, one row an area.  flags: the bits in which arithmetic leaves what it found.
+    wraps: a sum that is too large is cut off; where False, the target stays as it was.
+    retentive: for each area the first and last number that outlive a warm start.  constant: the letters before a number
+    and its base ("K": 10, "H": 16).
+    boxes: ladder boxes that the list has no instruction for, with the two instructions that they become.
     residue: how bad a leftover at the end of a network is; a warning where the CPU itself does not mind.
     examples: small programs that together use every instruction; a card shows the first one that uses its own.
     """
@@ -241,6 +254,12 @@ class Dialect:
     examples: tuple[str, ...] = ()
     heading: str = "Network"
     note_octal: Text = NOTHING
+    blocks: tuple[Block, ...] = ()
+    flags: Mapping[str, str] = field(default_factory=dict)
+    wraps: bool = False
+    retentive: Mapping[str, tuple[tuple[int, int], ...]] = field(default_factory=dict)
+    constant: Mapping[str, int] = field(default_factory=lambda: {"": 10, "16#": 16, "2#": 2})
+    boxes: Mapping[str, tuple[str, str]] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         """Refuse a table that contradicts itself."""
@@ -306,28 +325,80 @@ class Dialect:
             what = f"{self.name} instruction"
             raise UnknownNameError(what, mnemonic, self.words) from None
 
+    @cached_property
+    def _areas(self) -> dict[str, Area]:
+        return {area.prefix: area for area in sorted(self.areas, key=lambda area: -len(area.prefix))}
+
     def area(self, address: Address) -> Area:
         """Give the area in which an address lies."""
-        return next(area for area in self.areas if area.prefix == address.area)
+        return self._areas[address.area]
+
+    @cached_property
+    def _blocks(self) -> dict[str, Block]:
+        return {block.area: block for block in self.blocks}
+
+    def block(self, address: Address) -> Block | None:
+        """Give the declaration of the block that an address belongs to, if it belongs to one."""
+        return self._blocks.get(address.area)
+
+    def bank(self, address: Address) -> Bank:
+        """Give the timing of the timer or counter that an address belongs to."""
+        return self._blocks[address.area].bank(address.index)
 
     def address(self, word: str) -> Address | Area | None:
         """Read an address in any usual spelling; an Area says that it lies outside that area, None that it reads as nothing."""
         upper = word.upper()
         for letters, plain in self.letters.items():
-            if upper.startswith(letters) and upper[len(letters) : len(letters) + 1].isdigit():
+            if upper.startswith(letters) and upper[len(letters) : len(letters) + 2].lstrip("BWD")[:1].isdigit():
                 upper = plain + upper[len(letters) :]
-        for area in sorted(self.areas, key=lambda area: -len(area.prefix)):
-            digits = upper[len(area.prefix) :]
-            if not upper.startswith(area.prefix) or not digits[:1].isdigit():
+        for prefix, area in self._areas.items():
+            if not upper.startswith(prefix):
                 continue
-            if len(digits) > LONGEST and digits.replace(".", "", 1).isdigit():
-                return area
-            index = area.index(digits)
-            if index is not None:
-                return area.address(index) if area.holds(index) else area
-        return None
+            found = area.read(upper[len(prefix) :])
+            if found is not None:
+                return found
+        return self._group(upper)
+
+    def _group(self, word: str) -> Address | Area | None:
+        """Read a row of bits taken four at a time (K4M0)."""
+        match = _GROUP.fullmatch(word)
+        area = self._areas.get(match["area"]) if match else None
+        if match is None or area is None or not area.groups:
+            return None
+        first = area.read(match["unit"])
+        if not isinstance(first, Address):
+            return first
+        size = _NIBBLE * int(match["count"])
+        inside = area.holds(first.index + size - 1)
+        return Address(area.prefix, first.index, f"K{match['count']}{first.text}", size, "K") if inside else area
+
+    def whole(self, address: Address) -> Address:
+        """Give the block or timer that a field belongs to."""
+        return self.area(address).address(address.index) if address.field else address
+
+    def bits_of(self, address: Address) -> tuple[Address, ...]:
+        """Give the bits that an address covers, the lowest first; none where it is kept as a number of its own."""
+        if address.size == 1:
+            return (address,)
+        area = self.area(address)
+        if address.field == "K":
+            return tuple(area.address(address.index + place) for place in range(address.size))
+        if not area.words:
+            return ()
+        last = address.size // BYTE - 1
+        places = (BYTE * (last - place // BYTE) + place % BYTE for place in range(address.size))
+        return tuple(area.address(address.index + place) for place in places)
 
     def following(self, address: Address, count: int) -> Iterator[Address]:
         """Give `count` addresses from this one on, as S and R with a number write them."""
         area = self.area(address)
+        if address.field:
+            names_of = [name for name in area.fields if name.isdigit()]
+            at = names_of.index(address.field) if address.field in names_of else -1
+            whole = area.address(address.index)
+            return (area.part(whole, name) for name in names_of[at : at + count]) if at >= 0 else iter((address,))
         return (area.address(address.index + step) for step in range(count) if area.holds(address.index + step))
+
+
+_GROUP = re.compile(r"K(?P<count>[1-8])(?P<area>[A-Z]+)(?P<unit>[0-9]{1,6})")
+_NIBBLE = 4

@@ -8,8 +8,9 @@ eleven shared cells, and the same for every circuit that a ladder can draw withi
 from __future__ import annotations
 
 from plcteach.core.area import Area, kind
-from plcteach.core.spec import END, Dialect, Limit, Sample, Stack, coil, insn, reset, set_
+from plcteach.core.spec import Dialect, Limit, Sample, Stack, insn
 from plcteach.core.text import Text
+from plcteach.core.verb import END, coil, reset, set_
 
 INSTRUCTIONS = (
     # contacts

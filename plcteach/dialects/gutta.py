@@ -6,8 +6,9 @@ Source: 004_076ff6df1b5a98bb.txt. Depths of 32 and the clearing of both stacks a
 from __future__ import annotations
 
 from plcteach.core.area import Area, kind
-from plcteach.core.spec import Dialect, Sample, Stack, coil, insn, reset, set_
+from plcteach.core.spec import Dialect, Sample, Stack, insn
 from plcteach.core.text import Text
+from plcteach.core.verb import coil, reset, set_
 
 INSTRUCTIONS = (
     # input instructions

@@ -6,8 +6,9 @@ Sources: 003_8b8dde9772520c5a.txt; the guides of its successors EIO0000003289 an
 from __future__ import annotations
 
 from plcteach.core.area import Area, kind
-from plcteach.core.spec import END, Dialect, Sample, Stack, coil, insn, reset, set_
+from plcteach.core.spec import Dialect, Sample, Stack, insn
 from plcteach.core.text import Text
+from plcteach.core.verb import END, coil, reset, set_
 
 INSTRUCTIONS = (
     # contacts

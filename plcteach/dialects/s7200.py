@@ -7,9 +7,14 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from plcteach.core.area import Area, kind
-from plcteach.core.spec import Dialect, Sample, Stack, coil, insn, reset, set_
+from plcteach.core.area import Area, blocks, kind, words
+from plcteach.core.block import Bank, Block
+from plcteach.core.spec import Dialect, Sample, Stack, compares, insn
 from plcteach.core.text import Text
+from plcteach.core.verb import END, coil, drive, go, reset, set_, shift, work
+
+_BYTES = {"B": 8, "W": 16, "D": 32}
+_IN_BYTES = "I Q M SM V S L AC"
 
 INSTRUCTIONS = (
     # contacts
@@ -52,8 +57,49 @@ INSTRUCTIONS = (
         zh="装载堆栈（复制从0数起的第n个值）",
         en="load stack: copy the value n places below the top",
     ),
+    insn("AENO", "", "a -- a&ENO", zh="与ENO（上一个功能框是否正常）", en="and ENO: did the last box go well"),
     insn("NOP", "n:0..255", "--", zh="空操作", en="no operation"),
-)
+    # timers and counters: their inputs stand on the stack and stay there
+    insn("TON", "T:ton PT:preset", "IN -- IN", then=drive("on", "T", "IN=IN", "PT"), zh="接通延时定时器", en="on-delay timer"),
+    insn("TONR", "T:tonr PT:preset", "IN -- IN", then=drive("retentive", "T", "IN=IN", "PT"), zh="有记忆接通延时定时器", en="retentive on-delay timer"),
+    insn("TOF", "T:ton PT:preset", "IN -- IN", then=drive("off", "T", "IN=IN", "PT"), zh="断开延时定时器", en="off-delay timer"),
+    insn("CTU", "C:counter PV:preset", "CU R -- CU R", then=drive("up", "C", "CU=CU R=R", "PV"), zh="增计数器", en="up counter"),
+    insn("CTD", "C:counter PV:preset", "CD LD -- CD LD", then=drive("down", "C", "CD=CD LD=LD", "PV"), zh="减计数器", en="down counter"),
+    insn(
+        "CTUD", "C:counter PV:preset", "CU CD R -- CU CD R", then=drive("updown", "C", "CU=CU CD=CD R=R", "PV"),
+        zh="增减计数器", en="up-down counter",
+    ),
+    # two words compared read as a contact
+    *compares(
+        {"LD": "-- cmp", "A": "a -- a&cmp", "O": "a -- a|cmp"}, {"B": "byte", "W": "word", "D": "dword", "R": "real"},
+        zh="比较触点", en="comparing contact",
+    ),
+    # words
+    insn("SHRB", "DATA:bit S_BIT:out N:-64..64", "a -- a", then=shift("row", "DATA N", "S_BIT"), zh="移位寄存器", en="shift register bit"),
+    insn("MOVB", "IN:byte OUT:byte_out", "a -- a", then=work("move", "IN", "OUT"), zh="字节传送", en="move byte"),
+    insn("MOVW", "IN:word OUT:word_out", "a -- a", then=work("move", "IN", "OUT"), zh="字传送", en="move word"),
+    insn("MOVD", "IN:dword OUT:dword_out", "a -- a", then=work("move", "IN", "OUT"), zh="双字传送", en="move double word"),
+    insn("MOVR", "IN:real OUT:real_out", "a -- a", then=work("move", "IN", "OUT"), zh="实数传送", en="move real"),
+    insn("+I", "IN:word OUT:word_out", "a -- a", then=work("add", "OUT IN", "OUT"), zh="整数加", en="add integer"),
+    insn("-I", "IN:word OUT:word_out", "a -- a", then=work("sub", "OUT IN", "OUT"), zh="整数减", en="subtract integer"),
+    insn("INCW", "OUT:word_out", "a -- a", then=work("inc", "OUT", "OUT"), zh="字加一", en="increment word"),
+    # where the program goes on
+    insn("JMP", "n:0..255", "a -- a", then=go("jump", "a", "n"), zh="跳转", en="jump to a label"),
+    insn("LBL", "n:0..255", "--", then=go("label", "", "n"), zh="标号", en="label"),
+    insn("FOR", "INDX:word_out INIT:word FINAL:word", "a -- a", then=go("loop", "a", "INDX", "INIT FINAL"), zh="循环开始", en="begin a loop"),
+    insn("NEXT", "", "--", then=go("next"), zh="循环结束", en="end of the loop"),
+    insn("CALL", "n:SBR0..127", "a -- a", then=go("call", "a", "n"), zh="调用子程序", en="call a subroutine"),
+    insn("CRET", "", "a -- a", then=go("return", "a"), zh="有条件返回", en="return from the subroutine where powered"),
+    insn("RET", "", "--", then=go("return"), zh="返回", en="return from the subroutine"),
+    insn("END", "", "a -- a", then=go("end", "a"), zh="有条件结束", en="end the scan where powered"),
+    insn("MEND", "", "--", then=END, zh="主程序结束", en="end of the main program"),
+    insn("STOP", "", "a -- a", then=go("stop", "a"), zh="停止（CPU转入STOP）", en="go to STOP where powered"),
+    # sequence control
+    insn("LSCR", "bit:scr", "-- bit", then=go("segment", "bit", "bit"), zh="顺序控制段开始", en="begin a sequence control segment"),
+    insn("SCRT", "out:scr", "a -- a", then=(set_("a"), go("transfer", "a", "out")), zh="顺序控制段转移", en="transfer to another segment"),
+    insn("SCRE", "", "--", then=go("rail"), zh="顺序控制段结束", en="end of the segment"),
+    insn("CSCRE", "", "a -- a", then=go("rail", "a"), zh="有条件结束顺序控制段", en="end the segment where powered"),
+)  # fmt: skip
 
 S7_200 = Dialect(
     name="s7-200",
@@ -62,21 +108,37 @@ S7_200 = Dialect(
     unit=Text("网络", "network"),
     stacks=(Stack("", Text("逻辑堆栈", "logic stack"), depth=9, fixed=True),),
     areas=(
-        Area("I", (("0.0", "15.7"),), Text("输入映像", "input image"), per=8, role="input"),
-        Area("Q", (("0.0", "15.7"),), Text("输出映像", "output image"), per=8, role="output"),
-        Area("M", (("0.0", "31.7"),), Text("位存储器", "bit memory"), per=8),
-        Area("SM", (("0.0", "549.7"),), Text("特殊存储器位（SM）", "special memory bits"), per=8),
-        Area("V", (("0.0", "10239.7"),), Text("变量存储器", "variable memory"), per=8),
-        Area("S", (("0.0", "31.7"),), Text("顺序控制继电器", "sequence control relays"), per=8),
-        Area("L", (("0.0", "63.7"),), Text("局部存储器", "local memory"), per=8),
-        Area("T", (("0", "255"),), Text("定时器位", "timer bits")),
-        Area("C", (("0", "255"),), Text("计数器位", "counter bits")),
+        Area("I", (("0.0", "15.7"),), Text("输入映像", "input image"), per=8, words=_BYTES, role="input"),
+        Area("Q", (("0.0", "15.7"),), Text("输出映像", "output image"), per=8, words=_BYTES, role="output"),
+        Area("M", (("0.0", "31.7"),), Text("位存储器", "bit memory"), per=8, words=_BYTES),
+        Area("SM", (("0.0", "549.7"),), Text("特殊存储器位（SM）", "special memory bits"), per=8, words=_BYTES),
+        Area("V", (("0.0", "10239.7"),), Text("变量存储器", "variable memory"), per=8, words=_BYTES),
+        Area("S", (("0.0", "31.7"),), Text("顺序控制继电器", "sequence control relays"), per=8, words=_BYTES),
+        Area("L", (("0.0", "63.7"),), Text("局部存储器", "local memory"), per=8, words=_BYTES),
+        Area("T", (("0", "255"),), Text("定时器", "timers"), fields={"V": 16}, value="V"),
+        Area("C", (("0", "255"),), Text("计数器", "counters"), fields={"V": 16}, value="V"),
+        Area("AC", (("0", "3"),), Text("累加器", "accumulators"), size=32),
+        Area("AIW", (("0", "62"),), Text("模拟量输入", "analogue inputs"), role="input", size=16, even=True),
+        Area("AQW", (("0", "62"),), Text("模拟量输出", "analogue outputs"), role="output", size=16, even=True),
     ),
     kinds={
         "bit": kind("I Q M SM V S L T C", zh="位地址，如I0.0", en="a bit address such as I0.0"),
         "now": kind("I", zh="输入地址，如I0.0", en="an input such as I0.0"),
         "out": kind("Q M SM V S L T C I", zh="可写的位，如Q0.0", en="a bit that can be written, such as Q0.0"),
         "direct": kind("Q", zh="输出地址，如Q0.0", en="an output such as Q0.0"),
+        "scr": kind("S", zh="顺序控制继电器，如S0.1", en="a sequence control relay such as S0.1"),
+        "ton": blocks("T", zh="定时器，如T37", en="a timer such as T37"),
+        "tonr": blocks("T", zh="定时器，如T5", en="a timer such as T5"),
+        "counter": blocks("C", zh="计数器，如C0", en="a counter such as C0"),
+        "preset": words(f"{_IN_BYTES} T C AIW", 16, zh="预设值：0到32767，或一个字，如VW100", en="a preset: 0 to 32767, or a word such as VW100"),
+        "byte": words(_IN_BYTES, 8, signed=False, zh="字节或0到255的数，如VB100", en="a byte or a number 0 to 255, such as VB100"),
+        "word": words(f"{_IN_BYTES} T C AIW", 16, zh="字或整数，如VW100", en="a word or a whole number, such as VW100"),
+        "dword": words(_IN_BYTES, 32, zh="双字或整数，如VD100", en="a double word or a whole number, such as VD100"),
+        "real": words(_IN_BYTES, 32, real=True, zh="实数或双字，如3.14、VD100", en="a real number or a double word, such as 3.14 or VD100"),
+        "byte_out": words("Q M SM V S L AC", 8, constant=False, signed=False, zh="可写的字节，如VB100", en="a byte that can be written, such as VB100"),
+        "word_out": words("Q M SM V S L AC T C AQW", 16, constant=False, zh="可写的字，如VW100", en="a word that can be written, such as VW100"),
+        "dword_out": words("Q M SM V S L AC", 32, constant=False, zh="可写的双字，如VD100", en="a double word that can be written, such as VD100"),
+        "real_out": words("Q M SM V S L AC", 32, constant=False, real=True, zh="可写的双字，如VD100", en="a double word that can be written, such as VD100"),
     },
     insns=INSTRUCTIONS,
     roles={
@@ -89,14 +151,29 @@ S7_200 = Dialect(
     aliases={"U": "A", "UN": "AN", "UI": "AI", "UNI": "ANI", "ULD": "ALD"},
     letters={"E": "I", "A": "Q"},
     recognised=frozenset(
-        "TON TOF TONR CTU CTD CTUD SHRB MOVB MOVW MOVD MOVR BMB BMW BMD SWAP BIR BIW BTI ITB ITD DTI DTR ROUND TRUNC "
-        "ITA DTA RTA ATH HTA DECO ENCO SEG BCDI IBCD +I -I *I /I +D -D *D /D +R -R *R /R MUL DIV SQRT SIN COS TAN LN EXP "
-        "INCB INCW INCD DECB DECW DECD ANDB ANDW ANDD ORB ORW ORD XORB XORW XORD INVB INVW INVD SLB SLW SLD SRB SRW SRD "
-        "RLB RLW RLD RRB RRW RRD FILL ATT FIFO LIFO FND= FND< FND> FND<> JMP LBL FOR NEXT CALL CRET RET END STOP WDR DLED "
-        "LSCR SCRT SCRE CSCRE AENO ENI DISI ATCH DTCH CRETI RETI CEVNT XMT RCV NETR NETW GPA SPA HDEF HSC PLS PID TODR "
+        "BMB BMW BMD SWAP BIR BIW BTI ITB ITD DTI DTR ROUND TRUNC "
+        "ITA DTA RTA ATH HTA DECO ENCO SEG BCDI IBCD *I /I +D -D *D /D +R -R *R /R MUL DIV SQRT SIN COS TAN LN EXP "
+        "INCB INCD DECB DECW DECD ANDB ANDW ANDD ORB ORW ORD XORB XORW XORD INVB INVW INVD SLB SLW SLD SRB SRW SRD "
+        "RLB RLW RLD RRB RRW RRD FILL ATT FIFO LIFO FND= FND< FND> FND<> WDR DLED "
+        "ENI DISI ATCH DTCH CRETI RETI CEVNT XMT RCV NETR NETW GPA SPA HDEF HSC PLS PID TODR "
         "TODW TODRX TODWX LDS= AS= OS= LDS<> AS<> OS<>".split()
-    ) | frozenset(f"{op}{size}{rel}" for op in ("LD", "A", "O") for size in "BWDR" for rel in ("=", "<>", ">=", "<=", ">", "<")),
-    specials={"SM0.0": "on", "SM0.1": "first"},
+    ),
+    blocks=(
+        Block(
+            "T", "timer", Text("定时器", "timer"), ("IN", "PT"), most=32767,
+            banks=(
+                Bank(0, 0, 1, "always"), Bank(64, 64, 1, "always"), Bank(1, 4, 10, "scan"), Bank(65, 68, 10, "scan"),
+                Bank(5, 31, 100), Bank(69, 95, 100), Bank(32, 32, 1, "always"), Bank(96, 96, 1, "always"),
+                Bank(33, 36, 10, "scan"), Bank(97, 100, 10, "scan"), Bank(37, 63, 100), Bank(101, 255, 100),
+            ),
+        ),
+        Block("C", "counter", Text("计数器", "counter"), ("CU", "CD", "R", "LD", "PV"), most=32767),
+    ),
+    flags={"zero": "SM1.0", "overflow": "SM1.1", "negative": "SM1.2", "divide": "SM1.3"},
+    retentive={"V": ((0, 40959),), "M": ((112, 255),), "T": ((0, 31), (64, 95)), "C": ((0, 255),)},
+    specials={
+        "SM0.0": "on", "SM0.1": "first", "SM0.2": "cold", "SM0.3": "first", "SM0.4": "60000", "SM0.5": "1000", "SM0.6": "turns",
+    },
     examples=(
         "LD I0.0; O Q0.0; AN I0.1; = Q0.0",
         "LD I0.0; A I0.1; LDN I0.2; A I0.3; OLD; = Q0.0",

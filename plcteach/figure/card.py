@@ -6,8 +6,8 @@ from dataclasses import dataclass
 from html import escape
 from typing import TYPE_CHECKING
 
-from plcteach.core.spec import coil
 from plcteach.core.text import Text, language, same
+from plcteach.core.verb import coil
 from plcteach.figure.illustration import illustration
 from plcteach.figure.ladder import ladder_scene
 from plcteach.figure.says import describes

@@ -49,6 +49,7 @@ INKS: dict[str, Ink] = {
     "line": Ink(stroke="line"),
     "faint": Ink(stroke="faint"),
     "dashed": Ink(stroke="line", dash=(4, 3)),
+    "mark": Ink(stroke="accent", width=1.2, dash=(4, 3)),
     "wire": Ink(stroke="text", width=1.4),
     "rail": Ink(stroke="text", width=2.4),
     "wire-on": Ink(stroke="accent", width=2.6),
@@ -64,6 +65,9 @@ INKS: dict[str, Ink] = {
     "head": Ink(fill="head"),
     "wash": Ink(fill="wash"),
     "dot": Ink(fill="text"),
+    "peg": Ink(fill="accent"),
+    "busy": Ink(fill="line"),
+    "outline": Ink(stroke="accent", width=1.5),
 }
 
 

@@ -26,7 +26,6 @@ if TYPE_CHECKING:
 
     from plcteach.core.program import Program
     from plcteach.core.spec import Dialect
-    from plcteach.machine.signals import Column
 
 MOST_TABLE_INPUTS = 6
 
@@ -50,7 +49,7 @@ def run(
     dialect: str | Dialect | None = None,
     *,
     scan_ms: int = SCAN_MS,
-) -> Trace[Column]:
+) -> Trace:
     """Run a list (or a drawing, or a Program) over scans of inputs; see `plcteach.machine.run`."""
     return run_program(program_of(text, dialect), scans, scan_ms=scan_ms)
 

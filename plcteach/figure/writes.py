@@ -9,7 +9,7 @@ from plcteach.core.text import NOTHING, Text, same
 from plcteach.figure.told import edge_seen, with_value
 
 if TYPE_CHECKING:
-    from plcteach.core.spec import Verb
+    from plcteach.core.verb import Verb
     from plcteach.figure.told import Told
 
 

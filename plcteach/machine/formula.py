@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
 
     from plcteach.core.area import Address
-    from plcteach.core.program import Program
+    from plcteach.core.program import Compare, Program
     from plcteach.core.spec import Operand
 
 MOST_NODES = 2_000
@@ -104,7 +104,21 @@ def _spelling(term: Term) -> Iterator[Term | str]:
 
 
 class Spelling:
-    """A world in which every bit is its own name, so that a run over it spells out what each cell means."""
+    """A world in which every bit is its own name, so that a run over it spells out what each cell means.
+
+    It has no time, no words and no course: blocks do nothing in it, and a comparison is a name like any other.
+    """
+
+    spells = True
+    rail: Term | None = None
+
+    def compare(self, compare: Compare) -> Term:
+        """Give the comparison as a formula."""
+        return name(compare.text)
+
+    def register(self, word: str) -> Term:
+        """Give a bit of the machine as a formula."""
+        return name(word)
 
     def read(self, operand: Operand, address: Address) -> Term:
         """Give the address as a formula."""
@@ -126,11 +140,11 @@ def spelled(program: Program) -> tuple[Step[Term], ...]:
     """Run a program once over formulas: the same steps as any scan, each cell knowing how it was made."""
     shapes, world, blank = program.dialect.shapes, Spelling(), name("x")
     stacks: Stacks[Term] = tuple((blank,) * shape.depth if shape.fixed else () for shape in shapes)
-    steps = []
+    steps: list[Step[Term]] = []
     for network in program.networks:
         stacks = tuple(cells if shape.fixed else () for cells, shape in zip(stacks, shapes, strict=True))
         for line in network.lines:
-            one = step(line, shapes, stacks, world, blank)
+            one = step(line, shapes, stacks, world, blank, len(steps))
             steps.append(one)
             stacks = one.after
     return tuple(steps)

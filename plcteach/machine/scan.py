@@ -1,184 +1,239 @@
 """Scan after scan: the inputs are read into their image, every line is executed in order, the outputs are written.
 
 A `Memory` is everything that lasts from one scan to the next; it is never changed, a scan gives the next one. So any scan of a
-`Trace` can be executed again, step by step, from the memory before it, and a long run need not keep its steps.
+`Trace` can be executed again, step by step, from a memory before it: a trace keeps the memory now and then, and of every
+address when it changed, but no steps.
 """
 
 from __future__ import annotations
 
+from bisect import bisect_right
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, Generic, TypeVar
+from typing import TYPE_CHECKING, Any, Generic, TypeVar, overload
 
 from plcteach.core.area import Address
 from plcteach.core.diagnostic import Diagnostic, rule
 from plcteach.core.errors import UnknownNameError
+from plcteach.machine.course import Course
 from plcteach.machine.signals import ONE, ZERO, Column, Signal, X
-from plcteach.machine.step import Stacks, Step, step
+from plcteach.machine.store import Memory, Store
+from plcteach.machine.words import BITS, UNKNOWN, Domain, Number
+from plcteach.machine.world import Plant
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable, Iterator, Mapping
+    from collections.abc import Callable
 
     from plcteach.core.program import Program
-    from plcteach.core.spec import Dialect, Operand
+    from plcteach.core.spec import Dialect
+    from plcteach.machine.step import Step
+
+__all__ = ["BITS", "SCAN_MS", "Domain", "Memory", "Scan", "Trace", "normal", "run", "sweep", "warm"]
 
 S = TypeVar("S", bound=Signal)
 
 SCAN_MS = 10
-_IMMEDIATE = "now"
-
-
-@dataclass(frozen=True, slots=True)
-class Domain(Generic[S]):
-    """The constants of a signal: what a bit is at power-on, what an always-on bit is, and what nobody knows."""
-
-    zero: S
-    one: S
-    blank: S
-
-
-BITS = Domain(ZERO, ONE, X)
-
-
-@dataclass(frozen=True, slots=True)
-class Memory(Generic[S]):
-    """What lasts between scans.
-
-    bits: every bit that is not 0, by address.  past: for each line with an edge the value it last saw.
-    image: the bits at the start of the last scan (None before the first).  scans: how many have run.
-    """
-
-    bits: Mapping[str, S] = field(default_factory=dict)
-    past: Mapping[int, S] = field(default_factory=dict)
-    image: Mapping[str, S] | None = None
-    scans: int = 0
-
-
-class _World(Generic[S]):
-    """The PLC around the stack during one scan."""
-
-    def __init__(self, dialect: Dialect, memory: Memory[S], inputs: Mapping[str, S], domain: Domain[S]) -> None:
-        self.dialect = dialect
-        self.domain = domain
-        self.inputs = inputs
-        self.memory = memory
-        self.bits = {**memory.bits, **inputs, **self.driven(memory.scans)}
-        self.image = dict(self.bits)
-        self.past_of_lines = dict(memory.past)
-        self.line = 0
-
-    def driven(self, scans: int) -> dict[str, S]:
-        """Give the bits that the system drives."""
-        one, zero = self.domain.one, self.domain.zero
-        values = {"on": one, "off": zero, "first": zero if scans else one, "later": one if scans else zero}
-        return {address: values[what] for address, what in self.dialect.specials.items()}
-
-    def read(self, operand: Operand, address: Address) -> S:
-        source = self.inputs if operand.kind == _IMMEDIATE else self.bits
-        return source.get(address.text, self.domain.zero)
-
-    def past(self, address: Address | None, value: S) -> tuple[S, S | None]:
-        if self.dialect.samples_edges_at_start and address is not None:
-            zero, last = self.domain.zero, self.memory.image
-            return self.image.get(address.text, zero), None if last is None else last.get(address.text, zero)
-        return value, self.past_of_lines.get(self.line)
-
-    def following(self, address: Address, count: int) -> tuple[Address, ...]:
-        return tuple(self.dialect.following(address, count))
-
-    def keep(self, one: Step[S]) -> None:
-        """Take over what a step wrote and remembered."""
-        for address, value in one.written:
-            self.bits[address.text] = value
-        if one.remembered is not None:
-            self.past_of_lines[self.line] = one.remembered
-
-    def after(self) -> Memory[S]:
-        """Give the memory as the scan leaves it."""
-        return Memory(self.bits, self.past_of_lines, self.image, self.memory.scans + 1)
+APART = 64
+"""A trace keeps the memory of every so many scans."""
 
 
 def sweep(
     program: Program,
     memory: Memory[S],
-    inputs: Mapping[str, S],
+    inputs: Mapping[str, Any],
     domain: Domain[S],
     watch: Callable[[int, Step[S]], None] | None = None,
+    *,
+    ms: int = 0,
+    found: list[Diagnostic] | None = None,
 ) -> Memory[S]:
-    """Run one scan over any signal and give the memory after it; `watch` sees each step with its line number."""
-    world = _World(program.dialect, memory, inputs, domain)
-    for number, one in _steps(program, world):
+    """Run one scan over any signal and give the memory after it; `watch` sees each step with its line number.
+
+    ms: the time since the last scan began.  found: takes what the run itself has to say (a loop that ran away).
+    """
+    course = Course(Plant(program, memory, inputs, domain, ms))
+    for number, one in course.steps():
         if watch:
             watch(number, one)
-    return world.after()
-
-
-def _steps(program: Program, world: _World[S]) -> Iterator[tuple[int, Step[S]]]:
-    shapes, blank = program.dialect.shapes, world.domain.blank
-    stacks: Stacks[S] = tuple((blank,) * shape.depth if shape.fixed else () for shape in shapes)
-    number = 0
-    for network in program.networks:
-        stacks = tuple(cells if shape.fixed else () for cells, shape in zip(stacks, shapes, strict=True))
-        for line in network.lines:
-            world.line = number
-            one = step(line, shapes, stacks, world, blank)
-            world.keep(one)
-            yield number, one
-            stacks = one.after
-            number += 1
-            if any(verb.name == "end" for verb in line.insn.then):
-                return
+    if found is not None:
+        found += course.found
+    return course.world.after()
 
 
 @dataclass(frozen=True)
 class Scan(Generic[S]):
-    """One scan of a trace: when it began, the inputs it saw, and the memory before and after."""
+    """One scan of a trace: when it began, how long after the last one, the inputs it saw, and the memory before it."""
 
     program: Program
     domain: Domain[S]
     number: int
     start_ms: int
-    inputs: Mapping[str, S]
+    inputs: Mapping[str, Any]
     before: Memory[S]
-    after: Memory[S]
+    ms: int = 0
 
     def __repr__(self) -> str:
         return f"Scan({self.number} at {self.start_ms} ms)"
 
     @cached_property
+    def after(self) -> Memory[S]:
+        """The memory as this scan leaves it."""
+        return sweep(self.program, self.before, self.inputs, self.domain, ms=self.ms)
+
+    @cached_property
     def steps(self) -> tuple[Step[S], ...]:
         """Every step of this scan, executed again from the memory before it."""
-        world = _World(self.program.dialect, self.before, self.inputs, self.domain)
-        return tuple(one for _, one in _steps(self.program, world))
+        world = Plant(self.program, self.before, self.inputs, self.domain, self.ms)
+        return tuple(one for _, one in Course(world).steps())
 
-    def __getitem__(self, address: str) -> S:
-        """Give a bit as this scan left it; UnknownNameError if the family has no such address."""
-        return self.after.bits.get(normal(self.program.dialect, address), self.domain.zero)
+    def __getitem__(self, address: str) -> Any:
+        """Give a bit or a word as this scan left it; UnknownNameError if the family has no such address."""
+        return Store(self.program, self.after, self.domain).value(_place(self.program.dialect, address))
 
 
-@dataclass(frozen=True, slots=True)
-class Trace(Generic[S]):
-    """A run: its scans, and what only the values could tell (an x that reached an output)."""
+class Scans(Sequence[Scan[Column]]):
+    """The scans of a trace, each made when it is asked for; going through them in order costs one scan each."""
+
+    def __init__(self, trace: Trace) -> None:
+        self._trace = trace
+        self._last: Scan[Column] | None = None
+
+    def __len__(self) -> int:
+        return len(self._trace.starts)
+
+    @overload
+    def __getitem__(self, number: int) -> Scan[Column]: ...
+    @overload
+    def __getitem__(self, number: slice) -> list[Scan[Column]]: ...
+    def __getitem__(self, number: int | slice) -> Scan[Column] | list[Scan[Column]]:
+        if isinstance(number, slice):
+            return [self._at(one) for one in range(*number.indices(len(self)))]
+        if not -len(self) <= number < len(self):
+            raise IndexError(number)
+        return self._at(number % len(self))
+
+    def __iter__(self) -> Iterator[Scan[Column]]:
+        return (self._at(number) for number in range(len(self)))
+
+    def _at(self, number: int) -> Scan[Column]:
+        last = self._last
+        if last is not None and last.number == number:
+            return last
+        at = number - number % APART
+        memory = self._trace.checkpoints[at]
+        if last is not None and at <= last.number < number:
+            at, memory = last.number + 1, last.after
+        for each in range(at, number):
+            memory = self._trace.scan_from(each, memory).after
+        self._last = self._trace.scan_from(number, memory)
+        return self._last
+
+
+@dataclass(frozen=True)
+class Trace:
+    """A run: when each scan began, when each address changed, and what only the values could tell (an x at an output)."""
 
     program: Program
-    scans: tuple[Scan[S], ...]
+    starts: tuple[int, ...]
+    inputs: tuple[Mapping[str, Any], ...]
+    checkpoints: Mapping[int, Memory[Column]]
+    changes: Mapping[str, tuple[list[int], list[Any]]]
+    memory: Memory[Column]
     diagnostics: tuple[Diagnostic, ...] = ()
+    scan_ms: int = SCAN_MS
+    domain: Domain[Column] = field(default=BITS, repr=False)
 
     def __repr__(self) -> str:
-        return f"Trace({self.program.dialect.name}, {len(self.scans)} scans)"
+        return f"Trace({self.program.dialect.name}, {len(self.starts)} scans)"
+
+    @cached_property
+    def scans(self) -> Scans:
+        """The scans, one by one."""
+        return Scans(self)
+
+    def scan_from(self, number: int, memory: Memory[Column]) -> Scan[Column]:
+        """Give a scan, the memory before it being known."""
+        ms = self.starts[number] - self.starts[number - 1] if number else 0
+        return Scan(self.program, self.domain, number, self.starts[number], self.inputs[number], memory, ms)
 
     def __getitem__(self, address: str) -> str:
         """Give the values of a bit at the ends of all scans as a string such as "0011x"."""
-        return "".join(repr(scan[address]) for scan in self.scans)
+        return "".join(map(repr, self.values(address)))
+
+    def values(self, address: str) -> list[Any]:
+        """Give what an address held at the end of every scan: bits, or numbers."""
+        return [self.value(address, number) for number in range(len(self.starts))]
+
+    def value(self, address: str, number: int) -> Any:
+        """Give what an address held at the end of one scan."""
+        return _Moment(self, number).value(_place(self.program.dialect, address))
+
+    def edges(self, address: str) -> list[tuple[int, Any]]:
+        """Give the moments (ms, the start of the scan) at which an address changed, each with its new value."""
+        found: list[tuple[int, Any]] = []
+        for start, value in zip(self.starts, self.values(address), strict=True):
+            if not found or found[-1][1] != value:
+                found.append((start, value))
+        return found
+
+
+class _Moment(Store[Column]):
+    """The end of one scan of a trace, read from what changed."""
+
+    def __init__(self, trace: Trace, number: int) -> None:
+        self.program, self.dialect, self.domain = trace.program, trace.program.dialect, trace.domain
+        self.bits = self.words = _Past(trace.changes, number)
+
+
+class _Past(Mapping[str, Any]):
+    """A mapping of an earlier moment."""
+
+    def __init__(self, changes: Mapping[str, tuple[list[int], list[Any]]], number: int) -> None:
+        self._changes, self._number = changes, number
+
+    def __getitem__(self, key: str) -> Any:
+        when, values = self._changes[key]
+        at = bisect_right(when, self._number)
+        if not at:
+            raise KeyError(key)
+        return values[at - 1]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._changes)
+
+    def __len__(self) -> int:
+        return len(self._changes)
 
 
 def normal(dialect: Dialect, word: str) -> str:
     """Give the canonical spelling of an address; UnknownNameError if the family has none such."""
+    return _place(dialect, word).text
+
+
+def _place(dialect: Dialect, word: str) -> Address:
     found = dialect.address(word)
-    if isinstance(found, Address):
-        return found.text
+    if isinstance(found, Address) and found.size:
+        return found
     kind = f"{dialect.name} address"
     raise UnknownNameError(kind, word, (area.first for area in dialect.areas))
+
+
+def warm(program: Program, memory: Memory[Column]) -> Memory[Column]:
+    """Give the memory with which a warm start begins: what is retentive stays, everything else is as at power-on."""
+    dialect = program.dialect
+
+    def stays(key: str) -> bool:
+        whole = dialect.address(key.partition("<")[0].partition("#")[0].partition(".ms")[0].partition(".g")[0])
+        if not isinstance(whole, Address):
+            return False
+        return any(first <= whole.index <= last for first, last in dialect.retentive.get(whole.area, ()))
+
+    bits = {
+        key: bit for key, bit in memory.bits.items() if stays(key) and "<" not in key and not key.endswith(".going")
+    }
+    words = {key: number for key, number in memory.words.items() if stays(key)}
+    return Memory(bits=bits, words=words, warm=True)
 
 
 def run(
@@ -187,31 +242,101 @@ def run(
     *,
     scan_ms: int = SCAN_MS,
     memory: Memory[Column] | None = None,
-) -> Trace[Column]:
-    """Run a program, one scan for each mapping of inputs {address: 0 | 1}, or that many scans with all inputs 0.
+) -> Trace:
+    """Run a program, one scan for each mapping of inputs {address: value}, or that many scans with all inputs 0.
 
-    Inputs start at 0 and keep their value until they are named again. "ms" in a mapping is that scan's length in ms.
+    Inputs start at 0 and keep their value until they are named again; any other address is written once, when it is named.
+    "ms" in a mapping is the time since the scan before; the first scan begins at 0. A runaway loop ends the run.
     UnknownNameError names an address that the family does not have.
     """
-    wanted: list[Mapping[str, Any]] = [{}] * scans if isinstance(scans, int) else list(scans)
-    state: Memory[Column] = memory or Memory()
-    inputs = {one.text: state.bits[one.text] for one in program.addresses("input") if one.text in state.bits}
-    done: list[Scan[Column]] = []
-    found: dict[str, Diagnostic] = {}
+    recorder = _Recorder(program, memory or Memory())
+    rows: Iterable[Mapping[str, Any]] = ({} for _ in range(scans)) if isinstance(scans, int) else scans
+    for row in rows:
+        recorder.scan(row, scan_ms)
+        if recorder.state.stopped == ONE and recorder.ran_away:
+            break
+    return recorder.trace(scan_ms)
 
-    def watch(_number: int, one: Step[Column]) -> None:
+
+class _Recorder:
+    """Runs scan after scan and keeps what a trace needs."""
+
+    def __init__(self, program: Program, memory: Memory[Column]) -> None:
+        self.program = program
+        self.state = memory
+        self.held: dict[str, Any] = {
+            one.text: memory.bits[one.text] for one in program.addresses("input") if one.text in memory.bits
+        }
+        self.starts: list[int] = []
+        self.inputs: list[Mapping[str, Any]] = []
+        self.checkpoints: dict[int, Memory[Column]] = {}
+        self.changes: dict[str, tuple[list[int], list[Any]]] = {}
+        self.found: dict[str, Diagnostic] = {}
+        self.ran_away = False
+
+    def scan(self, row: Mapping[str, Any], scan_ms: int) -> None:
+        number = len(self.starts)
+        ms = int(row.get("ms", scan_ms)) if number else 0
+        self.starts.append(self.starts[-1] + ms if number else 0)
+        self.inputs.append(self.taken(row))
+        if number % APART == 0:
+            self.checkpoints[number] = self.state
+        said: list[Diagnostic] = []
+        after = sweep(self.program, self.state, self.inputs[-1], BITS, self.watch, ms=ms, found=said)
+        for one in said:
+            self.found.setdefault(f"{one.code} {one.span}", one)
+            self.ran_away |= one.code == "RUN002"
+        before = self.state if number else Memory()
+        for old, new in ((before.bits, after.bits), (before.words, after.words)):
+            for key, value in new.items():
+                if old.get(key) != value:
+                    when, values = self.changes.setdefault(key, ([], []))
+                    when.append(number)
+                    values.append(value)
+        self.state = after
+
+    def taken(self, row: Mapping[str, Any]) -> Mapping[str, Any]:
+        """Give the inputs of one scan: those that are held, and what is written only now."""
+        once: dict[str, Any] = {}
+        held: dict[str, Any] = {}
+        dialect = self.program.dialect
+        for name, value in row.items():
+            if name == "ms":
+                continue
+            place = _place(dialect, name)
+            into = held if dialect.area(place).role == "input" else once
+            into |= _spread(self.program, place, value)
+        if held:
+            self.held = self.held | held
+        return {**self.held, **once} if once else self.held
+
+    def watch(self, _number: int, one: Step[Column]) -> None:
         for address, value in one.written:
-            if value.unknown and address.text not in found:
-                found[address.text] = rule("RUN001").at(one.line.span, address=address.text)
+            if value.unknown and address.text not in self.found:
+                self.found[address.text] = rule("RUN001").at(one.line.span, address=address.text)
 
-    now = 0
-    for number, row in enumerate(wanted):
-        now += int(row.get("ms", scan_ms)) if number else 0
-        inputs = inputs | {normal(program.dialect, name): _bit(value) for name, value in row.items() if name != "ms"}
-        after = sweep(program, state, inputs, BITS, watch)
-        done.append(Scan(program, BITS, number, now, inputs, state, after))
-        state = after
-    return Trace(program, tuple(done), tuple(found.values()))
+    def trace(self, scan_ms: int) -> Trace:
+        return Trace(
+            self.program,
+            tuple(self.starts),
+            tuple(self.inputs),
+            self.checkpoints,
+            self.changes,
+            self.state,
+            tuple(self.found.values()),
+            scan_ms,
+        )
+
+
+def _spread(program: Program, place: Address, value: Any) -> dict[str, Any]:
+    """Turn a given value into the bits or numbers in which the machine keeps it."""
+    if place.size == 1 and not (place.field and program.dialect.area(place).digits):
+        return {place.text: _bit(value)}
+    number = UNKNOWN if value == "x" else Number(int(value))
+    plant = Plant(program, Memory(), {}, BITS)
+    plant.bits.clear()
+    plant.store(place, number)
+    return {**plant.bits, **plant.words}
 
 
 def _bit(value: object) -> Column:

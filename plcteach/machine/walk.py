@@ -9,7 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
-from plcteach.core.effect import Flow, Origin, Place, flow, names
+from plcteach.core.effect import Flow, Origin, Place, flow
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -107,7 +107,7 @@ def _move(dialect: Dialect, line: Line, before: Cells) -> Move:
     used = {moves.named[name] for name in _read_by_verbs(line) if name in moves.named}
     after = tuple(
         tuple(
-            _cell(origin, before, Cell(line, branch=role == "push", tag=origin.tag), (number, place), used)
+            _cell(origin, before, Cell(line, line.insn.powers, role == "push", origin.tag), (number, place), used)
             for place, origin in enumerate(stack)
         )
         for number, stack in enumerate(moves.after)
@@ -116,7 +116,7 @@ def _move(dialect: Dialect, line: Line, before: Cells) -> Move:
 
 
 def _read_by_verbs(line: Line) -> set[str]:
-    return {name for verb in line.insn.then if verb.formula for name in names(verb.formula)}
+    return {name for verb in line.insn.then for name in verb.names}
 
 
 def _cell(origin: Origin, before: Cells, new: Cell, here: Place, used: set[Place]) -> Cell:

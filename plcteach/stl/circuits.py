@@ -51,6 +51,7 @@ class _Walk:
         self.breaks: set[int] = set()
         self.openers: list[Line] = []
         self.diagnostics: list[Diagnostic] = []
+        self.block = ""
         self.clear()
 
     def clear(self) -> None:
@@ -120,10 +121,11 @@ class _Walk:
                 if cells:
                     taken[take.name] = cells.pop()
         for verb in insn.then:
-            for name in names(verb.formula) if verb.formula else ():
-                if name in taken:
-                    taken[name].spent = True
+            for name in verb.names & set(taken):
+                taken[name].spent = True
         self.give(effect, taken)
+        if insn.powers and self.stacks[""]:
+            self.stacks[""][-1].spent = True
 
     def give(self, effect: Effect, taken: dict[str, _Cell]) -> None:
         """Put the cells back, the top first: a name alone is the taken cell itself, once; all else is new and unused."""
@@ -144,6 +146,12 @@ class _Walk:
         while tag != "L" and cells and cells[-1].ghost >= 0:
             cells.pop()
 
+    def network(self, heading: Heading | None, lines: tuple[Line, ...]) -> Network:
+        """Make a network; one that has no heading belongs to the subroutine of the last one that had."""
+        if heading:
+            self.block = heading.block
+        return Network(heading.title if heading else "", lines, heading is not None, self.block)
+
     def finish(self) -> tuple[tuple[Network, ...], list[Diagnostic]]:
         self.close()
         networks: list[Network] = []
@@ -153,7 +161,7 @@ class _Walk:
         def flush() -> None:
             nonlocal heading
             if current or heading:
-                networks.append(Network(heading.title if heading else "", tuple(current), heading is not None))
+                networks.append(self.network(heading, tuple(current)))
             current.clear()
             heading = None
 
@@ -173,7 +181,7 @@ def _loads(line: Line) -> bool:
     """Say whether an instruction replaces the working value by one of its own, as a load does."""
     if line.insn.fresh:
         return True
-    if len(line.effect.clauses) > 1 or line.insn.then:
+    if len(line.effect.clauses) > 1 or (line.insn.then and not line.insn.powers):
         return False
     clause = line.effect.clauses[0]
     taken = {take.name for take in clause.takes}

@@ -3,93 +3,59 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 from plcteach.core.diagnostic import rule
 from plcteach.core.source import MOST_CHARACTERS, Span, half_width
 from plcteach.core.text import Text
+from plcteach.stl.listing import layout_of
+from plcteach.stl.words import Heading, Statement, Tokens, Word, closed, pieces, split
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Sequence
 
-    from plcteach.core.diagnostic import Diagnostic
+    from plcteach.stl.listing import Cell, Layout
+
+__all__ = ["Heading", "Statement", "Tokens", "Word", "cut", "reads_as_comment"]
 
 MOST_ROWS = 40_000
 MOST_STATEMENTS = 20_000
 LONGEST_ROW = 2_000
 
-
-@dataclass(frozen=True, slots=True)
-class Word:
-    """A word in half-width letters, and where it stands."""
-
-    text: str
-    span: Span
-
-    @property
-    def shown(self) -> str:
-        """The word as a message may show it: never longer than a line can bear."""
-        return self.text if len(self.text) <= _SHOWN else f"{self.text[:_SHOWN]}…"
-
-
-_SHOWN = 24
-
-
-@dataclass(slots=True)
-class Statement:
-    """The words of one instruction, the comment behind it and the comment lines above it."""
-
-    words: list[Word]
-    comment: str = ""
-    above: tuple[str, ...] = ()
-
-
-@dataclass(frozen=True, slots=True)
-class Heading:
-    """A line that begins a network, with its title."""
-
-    span: Span
-    title: str
-
-
-@dataclass(slots=True)
-class Tokens:
-    """Everything a text is made of, in order; `tail` holds the comments after the last statement."""
-
-    items: list[Statement | Heading] = field(default_factory=list)
-    diagnostics: list[Diagnostic] = field(default_factory=list)
-    tail: tuple[str, ...] = ()
-
-
 _HEADING = re.compile(
     r"\s*(?:NETWORK|RUNG|网络|程序段|梯级)\s*(?P<number>\d{0,9})\s*(?P<rest>(?![\w.]).*)", re.IGNORECASE
 )
-_WRAPPER = re.compile(
-    r"\s*(?:ORGANIZATION_BLOCK\b.*|END_ORGANIZATION_BLOCK\s*|BEGIN\s*|TITLE\s*=.*|AUTHOR\s*:.*|VERSION\s*:.*)",
+_WRAPPER = re.compile(r"\s*(?:BEGIN\s*|TITLE\s*=.*|AUTHOR\s*:.*|VERSION\s*:.*)", re.IGNORECASE)
+_BLOCK = re.compile(
+    r"\s*(?P<end>END_)?(?P<kind>ORGANIZATION|SUBROUTINE|INTERRUPT)_BLOCK\b\s*(?P<name>[^:/(]*)(?P<rest>.*)",
     re.IGNORECASE,
 )
-_OTHER_BLOCK = re.compile(r"\s*(?P<end>END_)?(?:SUBROUTINE|INTERRUPT)_BLOCK\b.*", re.IGNORECASE)
+_SUBROUTINE = re.compile(r"SBR_?(\d{1,9})", re.IGNORECASE)
 _ROW_ENDS = re.compile(r"\r\n|\n|\r")
 _VARIABLES = re.compile(r"\s*VAR(?:_INPUT|_OUTPUT|_IN_OUT|_TEMP)?\s*", re.IGNORECASE)
 _SIGNS = re.compile(r"[\s/:;]*(?:\(\*(?P<block>.*)\*\)\s*|(?P<bare>.*))")
-_WORDS = re.compile(r"[^\s,;]+")
+_COMMENT_OPENS = re.compile(r'"[^"]*"|//|\(\*')
+_LONE_NUMBER = re.compile(r"\s*\d+:?\s*")
 _CONTROL = re.compile(r"[\x00-\x08\x0e-\x1f\x7f]")
 
 
 class _Cutter:
-    """Goes down the rows of one text, with what it must remember from row to row."""
+    """Goes down the rows of one text, with what it must remember from row to row.
 
-    def __init__(self, *, closers: bool) -> None:
+    block: the subroutine in which the row stands, and `said` the one that the last heading named.
+    """
+
+    def __init__(self, *, closers: bool, layout: Layout | None) -> None:
         self.out = Tokens()
         self.closers = closers
+        self.layout = layout
         self.comments: list[str] = []
         self.opened: Span | None = None
         self.variables: Span | None = None
-        self.other: Span | None = None
+        self.interrupt: Span | None = None
+        self.block = self.said = ""
 
-    def cut(self, text: str) -> Tokens:
-        rows = _ROW_ENDS.split(text)
+    def cut(self, rows: Sequence[str]) -> Tokens:
         for number, row in enumerate(rows[:MOST_ROWS], 1):
             self.row(number, row)
             if len(self.out.items) > MOST_STATEMENTS:
@@ -118,55 +84,123 @@ class _Cutter:
             at = control.start()
             self.out.diagnostics.append(rule("RDR014").at(Span(number, at, at + 1), word=f"U+{ord(given[at]):04X}"))
             given = _CONTROL.sub(" ", given)
-        plain = half_width(given)
+        if self.layout:
+            self.record(number, given, self.layout)
+        else:
+            self.free(number, half_width(given), given)
+
+    def free(self, number: int, plain: str, given: str) -> None:
+        """Take a row of an ordinary text."""
         if self.variables:
             self.variables = None if plain.strip().upper().startswith("END_VAR") else self.variables
         elif not self.opened and _VARIABLES.fullmatch(plain):
             self.variables = Span(number, 0, len(given))
-        elif not self.opened and (block := _OTHER_BLOCK.fullmatch(plain)):
-            self.other = None if block["end"] else Span(number, 0, len(given))
-        elif not self.heading(number, plain, given) and not self.skipped(plain):
+        elif self.opened or not self.layout_row(number, plain, given):
             self.statements(number, plain, given)
 
-    def skipped(self, plain: str) -> bool:
-        return not self.opened and (bool(_WRAPPER.fullmatch(plain)) or plain.lstrip().startswith("###"))
+    def layout_row(self, number: int, plain: str, given: str) -> bool:
+        """Take a row that is no instruction: a block's beginning or end, a heading, a wrapper's row."""
+        if self.bounds(number, plain, given) or self.heading(number, plain, given):
+            return True
+        return bool(_WRAPPER.fullmatch(plain)) or plain.lstrip().startswith("###")
+
+    def bounds(self, number: int, plain: str, given: str) -> bool:
+        """Enter or leave a block of an exported project; only a subroutine has a name that the lists must keep."""
+        match = _BLOCK.fullmatch(plain)
+        if not match:
+            return False
+        kind = "" if match["end"] else match["kind"].upper()
+        self.block = self.named(match) if kind == "SUBROUTINE" else ""
+        self.interrupt = Span(number, 0, len(given)) if kind == "INTERRUPT" else None
+        return True
+
+    def named(self, match: re.Match[str]) -> str:
+        """Give a subroutine its number, and keep the name that calls may use."""
+        name = match["name"].strip()
+        found = _SUBROUTINE.search(match["rest"].split("//")[0]) or _SUBROUTINE.fullmatch(name)
+        block = f"SBR{int(found[1]) if found else len(self.out.blocks)}"
+        self.out.blocks[name.upper() or block] = block
+        return block
 
     def heading(self, number: int, plain: str, given: str) -> bool:
-        match = None if self.opened else _HEADING.fullmatch(plain)
-        if not match or self.other:
+        match = _HEADING.fullmatch(plain)
+        if not match or self.interrupt:
             return bool(match)
         start = match.start("rest")
         stop = plain.find(";", start)
         inside = plain.find("//", start), plain.find("(*", start)
         if stop < 0 or any(0 <= sign < stop for sign in inside):
             stop = len(given)
-        self.out.items.append(Heading(Span(number, 0, stop), _title(plain[start:stop], given[start:stop])))
+        self.begin(Span(number, 0, stop), _title(plain[start:stop], given[start:stop]))
         self.statements(number, " " * stop + plain[stop:].replace(";", " ", 1), given)
         return True
 
+    def begin(self, span: Span, title: str) -> None:
+        self.out.items.append(Heading(span, title, self.block))
+        self.said = self.block
+
     def statements(self, number: int, plain: str, given: str) -> None:
         code, comment = self.without_comments(number, plain, given)
-        if self.other:
-            self.not_run(number, code)
+        if comment and _LONE_NUMBER.fullmatch(code):
+            code = ""
+        found = [
+            words
+            for first, last in pieces(code)
+            for words in closed(list(split(code, first, last, number, closers=self.closers)), closers=self.closers)
+        ]
+        self.add(number, found, comment)
+
+    def add(self, number: int, found: list[list[Word]], comment: str) -> None:
+        """Add the instructions of one row; a comment with none waits for the next one."""
+        if self.interrupt:
+            self.not_run(found)
             return
-        start = len(self.out.items)
-        for first, last in _pieces(code):
-            words = list(_split(code, first, last, number, closers=self.closers))
-            for statement in _closed(words, closers=self.closers):
-                self.out.items.append(Statement(statement, above=tuple(self.comments)))
-                self.comments.clear()
-        if comment and len(self.out.items) > start:
-            last_one = self.out.items[-1]
-            if isinstance(last_one, Statement):
-                last_one.comment = comment
+        if found and self.said != self.block:
+            self.begin(Span(number), "")
+        for words in found:
+            self.out.items.append(Statement(words, above=tuple(self.comments)))
+            self.comments.clear()
+        last = self.out.items[-1] if found else None
+        if comment and isinstance(last, Statement):
+            last.comment = comment
         elif comment:
             self.comments.append(comment)
 
-    def not_run(self, number: int, code: str) -> None:
-        """Say once for each block beside the main program that its instructions are not run."""
-        if code.strip() and self.other and self.other.stop >= 0:
-            self.out.diagnostics.append(rule("RDR018").at(Span(number, 0, len(code.rstrip())), row=self.other.row))
-            self.other = Span(self.other.row, 0, -1)
+    def not_run(self, found: list[list[Word]]) -> None:
+        """Say once for each interrupt program that its instructions are not run."""
+        if found and self.interrupt and self.interrupt.stop >= 0:
+            first, last = found[0][0].span, found[-1][-1].span
+            self.out.diagnostics.append(
+                rule("RDR018").at(Span(first.row, first.start, last.stop), row=self.interrupt.row)
+            )
+            self.interrupt = Span(self.interrupt.row, 0, -1)
+
+    def record(self, number: int, given: str, layout: Layout) -> None:
+        """Take a row of a table: what is said above an instruction, the instruction or a further operand of it, the note."""
+        row = layout.record(number, given)
+        if row is None:
+            return
+        for cell in row.statements:
+            self.said_above(number, cell)
+        words = [word for cell in row.code for word in _words(cell, number, closers=self.closers)]
+        last = self.out.items[-1] if self.out.items else None
+        if row.begins or not isinstance(last, Statement) or self.interrupt:
+            self.add(number, list(closed(words, closers=self.closers)), row.note)
+        elif words:
+            last.words += words
+            last.comment = f"{last.comment} {row.note}".strip()
+        elif row.note:
+            self.comments.append(row.note)
+
+    def said_above(self, number: int, cell: Cell) -> None:
+        text = " " * cell.start + cell.text
+        plain = half_width(text)
+        if self.bounds(number, plain, text) or self.heading(number, plain, text):
+            return
+        said = cell.text.strip()
+        said = said.lstrip(";；").strip() if said.startswith((";", "；")) else said
+        if said and not self.interrupt:
+            self.comments.append(said)
 
     def without_comments(self, number: int, plain: str, given: str) -> tuple[str, str]:
         """Blank out the comments of a row, so that columns stay, and give their words apart."""
@@ -182,17 +216,35 @@ class _Cutter:
                 code.append(" " * (end + 2 - at))
                 at, self.opened = end + 2, None
                 continue
-            line, block = plain.find("//", at), plain.find("(*", at)
-            if line >= 0 and (block < 0 or line < block):
-                code.append(plain[at:line])
-                said.append(given[line + 2 :].strip())
-                break
-            if block < 0:
+            sign = _COMMENT_OPENS.search(plain, at)
+            if sign is None:
                 code.append(plain[at:])
                 break
-            code.append(plain[at:block] + "  ")
-            self.opened, at = Span(number, block, block + 2), block + 2
+            start = sign.end() if sign[0].startswith('"') else sign.start()
+            code.append(plain[at:start])
+            at = start
+            if sign[0] == "//":
+                said.append(given[start + 2 :].strip())
+                break
+            if sign[0] == "(*":
+                code.append("  ")
+                self.opened, at = Span(number, start, start + 2), start + 2
         return "".join(code), " ".join(words for words in said if words)
+
+
+def _words(cell: Cell, number: int, *, closers: bool) -> list[Word]:
+    """Give the words of a cell; where quotes were doubled, the whole cell is their place."""
+    plain = half_width(cell.text)
+    found = split(plain, 0, len(plain), number, closers=closers)
+    if not cell.exact:
+        return [Word(word.text, Span(number, cell.start, cell.start + len(plain))) for word in found]
+    return [Word(word.text, Span(number, cell.start + word.span.start, cell.start + word.span.stop)) for word in found]
+
+
+def reads_as_comment(text: str) -> bool:
+    """Say whether a cell with this text would be read as nothing but a comment."""
+    plain = half_width(text)
+    return not (plain.startswith(";") or _BLOCK.fullmatch(plain) or _HEADING.fullmatch(plain))
 
 
 def _title(plain: str, given: str) -> str:
@@ -214,46 +266,12 @@ def _characters(count: int) -> Text:
     return Text(f"{count}个字符", f"{count} characters")
 
 
-def _pieces(code: str) -> Iterator[tuple[int, int]]:
-    """Give the stretches between semicolons that hold anything."""
-    start = 0
-    for end in [at for at, sign in enumerate(code) if sign == ";"] + [len(code)]:
-        if code[start:end].strip():
-            yield start, end
-        start = end + 1
-
-
-def _split(code: str, first: int, last: int, row: int, *, closers: bool) -> Iterator[Word]:
-    for match in _WORDS.finditer(code, first, last):
-        text, start = match[0], match.start()
-        while closers and text.endswith(")") and len(text) > 1:
-            text = text[:-1]
-        if text:
-            yield Word(text, Span(row, start, start + len(text)))
-        for at in range(start + len(text), match.end()):
-            yield Word(")", Span(row, at, at + 1))
-
-
-def _closed(words: list[Word], *, closers: bool) -> Iterator[list[Word]]:
-    """Make each closing parenthesis a statement of its own, in families that have one."""
-    current: list[Word] = []
-    for word in words:
-        if closers and word.text == ")":
-            if current:
-                yield current
-            yield [word]
-            current = []
-        else:
-            current.append(word)
-    if current:
-        yield current
-
-
 def cut(text: str, *, closers: bool) -> Tokens:
-    """Cut a text into statements and headings; `closers`: the family closes parentheses with a `)` of its own."""
+    """Cut a text or a table into statements and headings; `closers`: the family closes parentheses with a `)` of its own."""
     if len(text) > MOST_CHARACTERS:
         out = Tokens()
         size, most = _characters(len(text)), _characters(MOST_CHARACTERS)
         out.diagnostics.append(rule("RDR013").at(Span(1), size=size, most=most))
         return out
-    return _Cutter(closers=closers).cut(text)
+    rows = _ROW_ENDS.split(text)
+    return _Cutter(closers=closers, layout=layout_of(rows)).cut(rows)

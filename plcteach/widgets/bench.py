@@ -106,7 +106,7 @@ class Workbench(Shown):
             self._memory, self._scan = None, 0
         wanted = json.loads(self.inputs)
         known = {address.text for address in program.addresses("input")}
-        trace: Trace[Column] = run(
+        trace: Trace = run(
             program, [{name: value for name, value in wanted.items() if name in known}], memory=self._memory
         )
         found += trace.diagnostics

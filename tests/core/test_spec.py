@@ -12,7 +12,8 @@ from hypothesis import strategies as st
 from plcteach import dialects
 from plcteach.core.area import Address, Area, kind
 from plcteach.core.errors import DeclarationError, UnknownNameError
-from plcteach.core.spec import Dialect, Operand, Sample, Stack, coil, insn, parse_operand, set_
+from plcteach.core.spec import Dialect, Operand, Sample, Stack, insn, parse_operand
+from plcteach.core.verb import coil, set_
 from plcteach.core.text import Text
 
 S7 = dialects.dialect("s7-200")

@@ -53,6 +53,8 @@ class World:
     bits: dict[str, object]
     last: object = None
     asked: list[str] = field(default_factory=list)
+    rail: object = None
+    spells: bool = True
 
     def read(self, operand: Operand, address: Address):
         self.asked.append(f"{operand.name} {address.text}")

@@ -9,9 +9,11 @@ import { say } from "./ui.js";
  *   spent: boolean, foreign: boolean, unused: boolean, tag: ""|"L"|"B"}} Cell
  * @typedef {{line: number, scan: number, cells: Array<Array<string|number>>, from?: Object<string, string[]>,
  *   enter?: Object<string, string>, leave?: Object<string, string>, changed?: string[],
- *   read?: string[][], write?: string[][], say?: Text, warn?: Text}} Step
+ *   read?: string[][], write?: string[][], say?: Text, warn?: Text,
+ *   faces?: Object<string, Object<string, *>>}} Step
  * @typedef {{title: Text, digest: string, lines: Array<{text: string, comment?: string, row: number, network: number}>,
- *   networks: Array<{title: string, first: number}>, columns: Column[], texts: string[], steps: Step[]}} Film
+ *   networks: Array<{title: string, first: number}>, columns: Column[], texts: string[], steps: Step[],
+ *   faces?: import("./block-shape.js").BlockFace[]}} Film
  */
 
 const FILM_WORDS = {
@@ -64,6 +66,30 @@ export function cellsAt(film, index) {
   const { cells, write } = film.steps[index];
   const inUse = (cell) => write?.length > 0 && cell.column === 0 && cell.position === 0;
   return cells.map((row) => cellOf(film, row)).map((cell) => (inUse(cell) ? { ...cell, spent: false } : cell));
+}
+
+const FACES_OF = new WeakMap();
+
+/**
+ * What every function block shows at a step; none for a film without blocks. A face that has not changed since the step
+ * before is the same object, and so is the whole list. @returns {import("./block-shape.js").BlockFace[]}
+ */
+export function facesAt(film, index) {
+  if (!film.faces?.length) return [];
+  const known = FACES_OF.get(film) ?? [changedFaces(film.faces, film.steps[0].faces)];
+  FACES_OF.set(film, known);
+  for (let at = known.length; at <= index; at += 1) known.push(changedFaces(known[at - 1], film.steps[at].faces));
+  return known[index];
+}
+
+/** Faces with some of their keys changed; a key that comes as null is gone. */
+function changedFaces(faces, changes) {
+  if (!changes) return faces;
+  return faces.map((face) => {
+    const own = changes[face.address];
+    if (!own) return face;
+    return Object.fromEntries(Object.entries({ ...face, ...own }).filter(([, value]) => value !== null));
+  });
 }
 
 /** The letters on cells that a film shows anywhere, each with its word. @returns {[string, string][]} */

@@ -1,8 +1,10 @@
 // Knows how to play a Film: which step is shown, when the next one comes, and how keys and buttons lead there.
 
 import { h, prefersReducedMotion, recall, remember } from "./ui.js";
-import { clampIndex, lastIndex, lineTextAt, readFilm, stepOfLine } from "./film.js";
+import { clampIndex, facesAt, lastIndex, lineTextAt, readFilm, stepOfLine } from "./film.js";
 import { buildStack, makeStackView, setWanted, settle, showNext, showStack, translateStack } from "./stack-view.js";
+import { queueRooms } from "./block-shape.js";
+import { mountBlocks } from "./block-view.js";
 import { buildList, makeListView, markLines } from "./list-view.js";
 import { freshScore, isQuestion, isRight, makeAskView, translateAsk, verdictWords } from "./ask.js";
 import { makeControls, playerWord, pressToggle, showPlaying, translateControls, updateControls } from "./transport.js";
@@ -34,6 +36,7 @@ export function mountPlayer(root, options) {
     destroy: () => {
       stop(player);
       settle(player.stack);
+      player.blocks.destroy();
       for (const undo of unlisten) undo();
       player.figure.remove();
     },
@@ -58,12 +61,14 @@ function makePlayer(options) {
     breakpoints: new Set(), timer: null,
   };
   player.stack = makeStackView();
+  player.shelf = h("div", {});
+  player.blocks = mountBlocks(player.shelf, player.lang);
   player.acts = actsOf(player);
   player.list = makeListView((line) => wishLine(player, line), (line, on) => setBreakpoint(player, line, on));
   player.answers = makeAskView(player.acts.guess, player.acts.show);
   player.caption = makeCaption(player.answers.node);
   player.controls = makeControls(player.acts, options.compact);
-  const picture = h("div", { className: "plc-picture" }, player.list.node, player.stack.node);
+  const picture = h("div", { className: "plc-picture" }, player.list.node, player.stack.node, player.shelf);
   player.figure = h(
     "div", { className: "plc-player", role: "group", tabindex: 0 },
     player.controls.head, player.controls.node, picture, player.caption.node,
@@ -115,6 +120,8 @@ function loadFilm(player, source, index) {
   player.index = film ? clampIndex(film, wanted) : 0;
   player.figure.classList.toggle("plc-without-film", !film);
   player.figure.classList.toggle("plc-several-columns", film?.columns.length > 1);
+  player.figure.classList.toggle("plc-with-blocks", Boolean(film?.faces?.length));
+  player.rooms = queueRooms(film);
   if (film) buildStack(player.stack, film);
   writeAll(player);
 }
@@ -143,6 +150,8 @@ function draw(player, from, ms) {
   const score = player.asking ? player.score : null;
   markLines(player.list, film.steps[index].line, asked ? film.steps[pending].line : -1);
   showStack(player.stack, index, from, ms);
+  const neighbours = ms > 0 && Math.abs(index - from) === 1;
+  player.blocks.show(facesAt(film, index), lang, { animate: neighbours, ms, rooms: player.rooms });
   showNext(player.stack, asked ? lineTextAt(film, pending) : null);
   if (asked) showQuestion(player.caption, { film, index: pending, lang, score });
   else showCaption(player.caption, { film, index, lang, score, verdict: player.verdict });

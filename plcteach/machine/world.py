@@ -1,0 +1,170 @@
+"""The PLC around the stack during one scan: what the lines read and write, its clocks, its rail and the time that passes."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, TypeVar
+
+from plcteach.machine.blocks import ticked_clock, timer_op
+from plcteach.machine.plan import plan_of
+from plcteach.machine.signals import Signal
+from plcteach.machine.store import REGISTER, Memory, Store
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from plcteach.core.area import Address
+    from plcteach.core.program import Program
+    from plcteach.core.spec import Operand
+    from plcteach.machine.step import Step
+    from plcteach.machine.words import Domain
+
+S = TypeVar("S", bound=Signal)
+
+_IMMEDIATE = "now"
+
+
+class Plant(Store[S]):
+    """Everything that a line can read, and that a step is written into; it lives for one scan."""
+
+    spells = False
+
+    def __init__(
+        self, program: Program, memory: Memory[S], inputs: Mapping[str, Any], domain: Domain[S], ms: int = 0
+    ) -> None:
+        super().__init__(program, memory, domain)
+        self.inputs = {name: value for name, value in inputs.items() if not hasattr(value, "times")}
+        self.memory = memory
+        self.scans = memory.scans
+        self.now = memory.now + ms
+        self.ms = ms
+        self.dt = domain.number(ms)
+        self.words: dict[str, Any] = {
+            **memory.words,
+            **{name: value for name, value in inputs.items() if hasattr(value, "times")},
+        }
+        self.bits: dict[str, S] = {**memory.bits, **self.inputs, **self.driven()}
+        self.past_of_lines = dict(memory.past)
+        self.rail: S | None = None
+        self.stopped = memory.stopped
+        self.open_block = ""
+        self.pins: dict[str, S] = {}
+        self.line = 0
+        self.clocks = plan_of(program).clocks
+        self.tick("scan", self.dt)
+        self.image = dict(self.bits)
+
+    def driven(self) -> dict[str, S]:
+        """Give the bits that the system drives."""
+        one, zero, first = self.domain.one, self.domain.zero, not self.scans
+        now = {
+            "on": True,
+            "off": False,
+            "first": first,
+            "later": not first,
+            "cold": first and not self.memory.warm,
+            "warm": first and self.memory.warm,
+            "turns": self.scans % 2 == 0,
+        }
+        return {
+            address: one if (self._clock(int(what)) if what.isdigit() else now[what]) else zero
+            for address, what in self.dialect.specials.items()
+        }
+
+    def _clock(self, period: int) -> bool:
+        """Say whether a clock is in the second half of its period."""
+        return self.now * 2 // period % 2 == 1
+
+    def tick(self, when: str, dt: Any) -> None:
+        """Let time pass for the timers that run without their instruction."""
+        for target, op, moment in self.clocks:
+            if moment == when:
+                clock = ticked_clock(self, target, timer_op(self, op, target), dt)
+                block = self.dialect.block(target)
+                key = f"{target.text}.{block.bit}" if block and block.bit else target.text
+                self.bits[key] = clock.bit
+                self.bits[f"{target.text}.going"] = clock.going
+                self.words[f"{target.text}.ms"] = clock.ms
+
+    def at(self, line: int, of: int) -> None:
+        """Come to a line; as if line i of n ran i/n of the way through the scan, the fastest timers move on a little."""
+        self.line = line
+        if any(moment == "always" for _, _, moment in self.clocks):
+            self.tick("always", self.domain.number(self.ms * (line + 1) // of - self.ms * line // of))
+
+    def read(self, operand: Operand, address: Address) -> S:
+        """Give the bit that an operand of this kind sees."""
+        if operand.kind == _IMMEDIATE:
+            now: S = self.inputs.get(address.text, self.domain.zero)
+            return now
+        return self.bit(address)
+
+    def past(self, address: Address | None, value: S) -> tuple[S, S | None]:
+        """Give the two values between which an edge is looked for."""
+        if self.dialect.samples_edges_at_start and address is not None:
+            zero, last = self.domain.zero, self.memory.image
+            return self.image.get(address.text, zero), None if last is None else last.get(address.text, zero)
+        return value, self.past_of_lines.get(self.line)
+
+    def following(self, address: Address, count: int) -> tuple[Address, ...]:
+        """Give `count` addresses from this one on."""
+        return tuple(self.dialect.following(address, count))
+
+    # What the lines write.
+
+    def keep(self, one: Step[S], run: S | None = None) -> None:
+        """Take over what a step wrote and remembered; `run`: only where the line was executed at all."""
+        for address, value in one.written:
+            self.store(address, value, run)
+        for key, bit in one.kept:
+            self.bits[key] = bit if run is None else self.domain.pick(run, bit, self.bits.get(key, bit))
+        for key, number in one.numbers:
+            self.words[key] = number if run is None else self.domain.pick(run, number, self.number(key))
+        if one.remembered is not None:
+            old = self.past_of_lines.get(self.line, one.remembered)
+            self.past_of_lines[self.line] = (
+                one.remembered if run is None else self.domain.pick(run, one.remembered, old)
+            )
+
+    def store(self, address: Address, value: Any, run: S | None = None) -> None:
+        """Write a bit or a word where it is kept."""
+        if address.size == 1 and not (address.field and self.dialect.area(address).digits):
+            self.bits[address.text] = value if run is None else self.domain.pick(run, value, self.bit(address))
+            return
+        bits = self.dialect.bits_of(address)
+        if len(bits) > 1:
+            for place, bit in zip(bits, value.bits(len(bits)), strict=True):
+                self.store(place, bit, run)
+            return
+        for key, new in self._parts(address, value):
+            self.words[key] = new if run is None else self.domain.pick(run, new, self.number(key))
+
+    def _parts(self, address: Address, value: Any) -> list[tuple[str, Any]]:
+        """Say which numbers a word goes into."""
+        area, whole = self.dialect.area(address), self.dialect.whole(address)
+        block = self.dialect.block(address)
+        if address.size == 1:
+            row = list(self.number(whole.text).bits(area.size))
+            row[int(address.field)] = value
+            return [(whole.text, self.domain.join(row))]
+        if block and block.rule == "timer" and address.field in {"", "V"}:
+            return [(f"{whole.text}.ms", value.times(self.base(whole)))]
+        if area.value and not address.field:
+            return [(f"{whole.text}.{area.value}", value)]
+        if address.size > area.size and not address.field:
+            low, high = value.bits(address.size)[:REGISTER], value.bits(address.size)[REGISTER:]
+            next_one = area.address(address.index + 1)
+            return [(area.address(address.index).text, self.domain.join(low)), (next_one.text, self.domain.join(high))]
+        return [(address.text, value)]
+
+    def after(self) -> Memory[S]:
+        """Give the memory as the scan leaves it."""
+        return Memory(
+            self.bits,
+            self.past_of_lines,
+            self.image,
+            self.scans + 1,
+            self.words,
+            self.now,
+            self.memory.warm,
+            self.stopped,
+        )
