@@ -5,8 +5,10 @@ from __future__ import annotations
 import io
 import json
 import os
+import signal
 import subprocess
 import sys
+import time
 from pathlib import Path
 from types import SimpleNamespace
 from xml.etree import ElementTree as ET
@@ -284,6 +286,105 @@ def test_lint_of_a_folder_without_errors_exits_0(call, tmp_path) -> None:
     (folder / "warned.stl").unlink()
     empty = call("lint", str(folder), "--dialect", "s7-200", "--json")
     assert (empty.code, empty.json()) == (0, {})
+
+
+TALL = "(" + " + ".join(f"(I0.{at % 8} · (I1.{at % 8}" for at in range(12)) + "))" * 12 + ") -> Q0.0"
+
+
+@pytest.fixture
+def folder(tmp_path) -> Path:
+    """A teacher's folder: programs of several kinds, a symbol table, and files that are none."""
+    path = tmp_path / "class"
+    (path / "李雷").mkdir(parents=True)
+    (path / ".git").mkdir()
+    for name, data in {
+        "a right.awl": b"ORGANIZATION_BLOCK MAIN:OB1\r\nBEGIN\r\nNetwork 1\r\nLD I0.0\r\n= Q0.0\r\nEND_ORGANIZATION_BLOCK\r\n",
+        "b fx.csv": '"MAIN"\n"0"\t""\t"LD"\t"X0"\n"1"\t""\t"ANI"\t"X1"\n"2"\t""\t"OUT"\t"Y0"\n'.encode("utf-16"),
+        "c symbols.txt": "符号\t地址\n启动\tI0.0\n启动\tI0.1\n".encode("gbk"),
+        "d project.mwp": b"MWP\x00\x01\x02" * 100,
+        "e drawing.txt": TALL.encode(),
+        "李雷/f.stl": UNDERFLOW.encode(),
+        "李雷/g.il": RESIDUE.encode(),
+        "notes.md": b"# LD",
+        ".hidden.stl": b"ADN",
+        ".git/h.stl": b"ADN",
+    }.items():
+        (path / name).write_bytes(data)
+    return path
+
+
+def test_lint_of_a_folder_takes_what_people_have_and_reports_what_is_no_program(call, folder) -> None:
+    done = call("lint", str(folder), "--dialect", "s7-200", "--json")
+    found = {name: [one["code"] for one in each] for name, each in done.json().items()}
+    assert found.pop("b fx.csv")[0] == "RDR017"
+    assert found == {
+        "a right.awl": [],
+        "c symbols.txt": ["SYM003"],
+        "d project.mwp": ["FIL002"],
+        "e drawing.txt": ["FIL003"],
+        "李雷/f.stl": ["STK001"],
+        "李雷/g.il": ["STK005"],
+    }
+    assert (done.code, done.err) == (1, "")
+    assert [one["code"] for one in call("lint", str(folder), "--dialect", "fx", "--json").json()["b fx.csv"]] == []
+
+
+@pytest.mark.parametrize(
+    ("lang", "head", "total"),
+    [
+        ("en", "file  reads like  errors  warnings  first finding", "7 files"),
+        ("zh", "文件  读来像  错误  警告  第一条", "共7个文件"),
+    ],
+)
+def test_lint_of_a_folder_ends_with_a_table(call, folder, lang: str, head: str, total: str) -> None:
+    done = call("lint", str(folder), "--dialect", "s7-200", "--lang", lang)
+    rows = done.out.splitlines()
+    table = rows[-9:]
+    assert table[0].split() == head.split()
+    assert ("Mitsubishi FX" if lang == "en" else "三菱FX") in table[2]
+    assert "6: STK001" in table[6]
+    assert table[-1].startswith(total)
+    assert table[-1].split()[-2:] == ["7", "1"]
+    assert "== 李雷/f.stl" in rows
+    assert "== a right.awl" not in rows
+
+
+def test_lint_of_a_folder_without_a_differing_family_has_no_column_for_it(call, folder) -> None:
+    (folder / "b fx.csv").unlink()
+    head, *_, last = call("lint", str(folder), "--dialect", "s7-200").out.splitlines()[-8:]
+    assert head.split() == ["file", "errors", "warnings", "first", "finding"]
+    assert last.split() == ["6", "files", "4", "1"]
+
+
+def test_lint_of_a_folder_reports_a_file_that_cannot_be_opened(call, folder, monkeypatch) -> None:
+    opened = Path.open
+
+    def refused(path: Path, *rest, **more):
+        if path.suffix == ".awl":
+            raise PermissionError(13, "Permission denied")
+        return opened(path, *rest, **more)
+
+    monkeypatch.setattr(Path, "open", refused)
+    (one,) = call("lint", str(folder), "--dialect", "s7-200", "--json").json()["a right.awl"]
+    assert (one["code"], one["severity"]) == ("FIL001", "error")
+    assert "Permission denied" in one["text"]
+
+
+def test_lint_of_a_folder_shows_its_progress_only_to_a_person(call, folder, monkeypatch) -> None:
+    assert call("lint", str(folder)).err == ""
+    monkeypatch.setattr(type(sys.stderr), "isatty", lambda _: True, raising=False)
+    assert "/7 [" in call("lint", str(folder)).err
+
+
+def test_lint_of_a_folder_of_thousands_of_files_is_done_soon(call, tmp_path) -> None:
+    folder = tmp_path / "many"
+    folder.mkdir()
+    for number in range(4_000):
+        (folder / f"{number:04}.stl").write_text(HOLD, encoding="utf-8")
+    begun = time.monotonic()
+    done = call("lint", str(folder), "--dialect", "s7-200")
+    assert time.monotonic() - begun < 60  # a guard against hanging, no measurement
+    assert (done.code, done.out.splitlines()[-1].split()) == (0, ["4000", "files", "0", "0"])
 
 
 def test_lint_all_slips_are_reported_at_once(call) -> None:
@@ -758,6 +859,35 @@ def test_program_a_wrong_call_has_no_traceback() -> None:
     assert (done.returncode, done.stdout) == (2, b"")
     assert b"Traceback" not in done.stderr
     assert len(done.stderr.splitlines()) == 1
+
+
+def test_program_lint_of_a_folder_is_left_cleanly_with_ctrl_c(tmp_path) -> None:
+    """At a terminal: the bar appears, Ctrl-C is pressed, and there is no traceback."""
+    pty = pytest.importorskip("pty")
+    for number in range(3_000):
+        (tmp_path / f"{number:04}.stl").write_text(BLOCKS * 20, encoding="utf-8")
+    screen, terminal = pty.openpty()
+    code = "from plcteach.cli import script; script()"
+    running = subprocess.Popen(
+        [sys.executable, "-W", "error", "-c", code, "lint", str(tmp_path)],
+        cwd=ROOT,
+        stdout=subprocess.PIPE,
+        stderr=terminal,
+        start_new_session=True,
+    )
+    os.close(terminal)
+    shown = os.read(screen, 1_000)
+    running.send_signal(signal.SIGINT)
+    out, _ = running.communicate(timeout=120)
+    try:
+        while more := os.read(screen, 1_000):
+            shown += more
+    except OSError:
+        pass  # the terminal is closed
+    os.close(screen)
+    assert (running.returncode, out) == (130, b"")
+    assert b"/3000 [" in shown
+    assert b"Traceback" not in shown
 
 
 def test_program_a_closed_pipe_is_no_error() -> None:

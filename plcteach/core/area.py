@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Literal
+from typing import TYPE_CHECKING, Literal
 
 from plcteach.core.text import Text
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
 
 LONGEST = 12
 """More digits than any address has; a longer run is answered without being counted."""
@@ -158,6 +160,7 @@ class Kind:
 
     size: the width it wants: 1 a bit, 8 to 32 a word, 0 a whole block.  constant: a number may stand there instead.
     signed: how its bits are read.  real: they are a floating-point number.  compare: a comparison in brackets may stand there.
+    ends: the smallest and the largest number that may stand there, if not just any that fits.
     """
 
     areas: frozenset[str]
@@ -167,6 +170,7 @@ class Kind:
     signed: bool = True
     real: bool = False
     compare: bool = False
+    ends: tuple[int, int] | None = None
 
 
 def kind(areas: str, *, zh: str, en: str, compare: bool = False) -> Kind:
@@ -175,10 +179,18 @@ def kind(areas: str, *, zh: str, en: str, compare: bool = False) -> Kind:
 
 
 def words(
-    areas: str, size: int, *, zh: str, en: str, constant: bool = True, signed: bool = True, real: bool = False
+    areas: str,
+    size: int,
+    *,
+    zh: str,
+    en: str,
+    constant: bool = True,
+    signed: bool = True,
+    real: bool = False,
+    ends: tuple[int, int] | None = None,
 ) -> Kind:
-    """Declare a kind of word operand: `size` bits, in these areas or a number."""
-    return Kind(frozenset(areas.split(" ")), Text(zh, en), size, constant, signed, real)
+    """Declare a kind of word operand: `size` bits, in these areas or a number (between two `ends`)."""
+    return Kind(frozenset(areas.split(" ")), Text(zh, en), size, constant, signed, real, ends=ends)
 
 
 def blocks(areas: str, *, zh: str, en: str) -> Kind:

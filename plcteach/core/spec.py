@@ -11,16 +11,17 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Literal
 
 from plcteach.core.area import BYTE, Address, Area, Kind
-from plcteach.core.block import Bank, Block
 from plcteach.core.diagnostic import RULES
 from plcteach.core.effect import At, Effect, Shape
 from plcteach.core.errors import DeclarationError, UnknownNameError
 from plcteach.core.notation import parse_effect
 from plcteach.core.text import NOTHING, Text
-from plcteach.core.verb import Verb
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping
+
+    from plcteach.core.block import Bank, Block
+    from plcteach.core.verb import Verb
 
 
 @dataclass(frozen=True, slots=True)
@@ -313,7 +314,14 @@ class Dialect:
 
     def example(self, mnemonic: str) -> str:
         """Give the first example that uses an instruction."""
-        mine = (text for text in self.examples if mnemonic in {line.split()[0] for line in text.split("; ")})
+        word, _, area = mnemonic.partition(" ")
+        starts = f"{word} {area}" if area else word
+        mine = (
+            text
+            for text in self.examples
+            for line in text.split("; ")
+            if line.split()[0] == word and line.startswith(starts)
+        )
         return next(mine, "")
 
     def insn(self, mnemonic: str) -> Insn:

@@ -58,6 +58,11 @@ def reset(formula: str, count: str = "") -> Verb:
     return Verb("reset", parse_formula(formula), count=count)
 
 
+def clear(formula: str, first: str, last: str) -> Verb:
+    """Where `formula` is 1, clear every bit, timer, counter or word from one operand to another."""
+    return Verb("reset", parse_formula(formula), first, sources=(last,))
+
+
 def work(op: str, sources: str, target: str, formula: str = "a") -> Verb:
     """Where `formula` is 1, work out a word from others by a rule of the machine's arithmetic."""
     return Verb("work", parse_formula(formula), target, op=op, sources=tuple(sources.split()))
@@ -87,7 +92,7 @@ def pin(name: str, target: str = "block") -> Verb:
 
 
 def go(name: VerbName, formula: str = "", target: str = "", sources: str = "") -> Verb:
-    """Change where the program goes on, or whether it is powered: jump, call, loop, end, master control …"""
+    """Change where the program goes on, or whether it is powered: jump, call, loop, end, master control …."""
     return Verb(name, parse_formula(formula) if formula else None, target, sources=tuple(sources.split()))
 
 

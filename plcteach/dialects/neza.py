@@ -1,14 +1,16 @@
-"""NEZA (TSX08): a Boolean accumulator, a stack for parentheses and a stack for branch points.
+"""NEZA (TSX08): a Boolean accumulator, a stack for parentheses, a stack for branch points, and six kinds of function blocks.
 
-Sources: 003_8b8dde9772520c5a.txt; the guides of its successors EIO0000003289 and EIO0000003281. Depths of eight are ours [rec].
+Sources: 003_8b8dde9772520c5a.txt; the guides of its successors EIO0000003289 and EIO0000003281. Depths of eight, the numbers of
+words, labels and subroutines, and what outlives a warm start are ours [rec].
 """
 
 from __future__ import annotations
 
-from plcteach.core.area import Area, kind
+from plcteach.core.area import Area, blocks, kind, words
+from plcteach.core.block import Bank, Block, Setting
 from plcteach.core.spec import Dialect, Sample, Stack, insn
 from plcteach.core.text import Text
-from plcteach.core.verb import END, coil, reset, set_
+from plcteach.core.verb import END, coil, go, pin, reset, set_, work
 
 INSTRUCTIONS = (
     # contacts
@@ -107,8 +109,43 @@ INSTRUCTIONS = (
     insn("S", "out", "a -- a", then=set_("a"), zh="置位", en="set"),
     insn("R", "out", "a -- a", then=reset("a"), zh="复位", en="reset"),
     insn("NOP", "", "--", zh="空操作", en="no operation"),
+    # words, in brackets
+    insn("[", "do:assign", "a -- a", then=work("", "", "do"), zh="运算块（累加器为1时执行）", en="operate on words where the accumulator is 1"),
+    # function blocks: between BLK and END_BLK a pin's name stands alone, elsewhere the block stands behind it
+    insn("BLK", "block", "--", then=go("open", "", "block"), zh="功能块开始", en="begin a function block"),
+    insn("OUT_BLK", "block?", "--", then=go("update", "", "block"), zh="功能块输出部分开始", en="the block acts, its outputs follow"),
+    insn("END_BLK", "block?", "--", then=go("update", "", "block"), zh="功能块结束", en="end of the function block"),
+    insn("IN %TM", "block:tm", "a -- a", then=pin("IN"), zh="定时器启动输入", en="timer: its input IN"),
+    insn("R %C", "block:c", "a -- a", then=pin("R"), zh="计数器复位输入", en="counter: its reset input R"),
+    insn("S %C", "block:c", "a -- a", then=pin("S"), zh="计数器置位输入（装入预设值）", en="counter: its input S, which loads the preset"),
+    insn("CU %C", "block:c", "a -- a", then=pin("CU"), zh="计数器加计数输入", en="counter: its input CU, one up"),
+    insn("CD %C", "block:c", "a -- a", then=pin("CD"), zh="计数器减计数输入", en="counter: its input CD, one down"),
+    insn("R %DR", "block:dr", "a -- a", then=pin("R"), zh="鼓形控制器复位输入（回第0步）", en="drum: its reset input R, back to step 0"),
+    insn("U %DR", "block:dr", "a -- a", then=pin("U"), zh="鼓形控制器步进输入", en="drum: its input U, one step on"),
+    insn("R %SBR", "block:sbr", "a -- a", then=pin("R"), zh="移位寄存器复位输入", en="shift register: its reset input R"),
+    insn("CU %SBR", "block:sbr", "a -- a", then=pin("CU"), zh="移位寄存器左移输入", en="shift register: its input CU, to the left"),
+    insn("CD %SBR", "block:sbr", "a -- a", then=pin("CD"), zh="移位寄存器右移输入", en="shift register: its input CD, to the right"),
+    insn("R %SC", "block:sc", "a -- a", then=pin("R"), zh="步进计数器复位输入", en="step counter: its reset input R"),
+    insn("CU %SC", "block:sc", "a -- a", then=pin("CU"), zh="步进计数器递增输入", en="step counter: its input CU, one step on"),
+    insn("CD %SC", "block:sc", "a -- a", then=pin("CD"), zh="步进计数器递减输入", en="step counter: its input CD, one step back"),
+    insn("R %R", "block:r", "a -- a", then=pin("R"), zh="FIFO/LIFO寄存器复位输入", en="FIFO/LIFO register: its reset input R"),
+    insn("I %R", "block:r", "a -- a", then=pin("I"), zh="FIFO/LIFO寄存器存入", en="FIFO/LIFO register: its input I, store"),
+    insn("O %R", "block:r", "a -- a", then=pin("O"), zh="FIFO/LIFO寄存器取出", en="FIFO/LIFO register: its input O, take"),
+    # where the program goes on
+    insn("JMP", "n:%L0..63", "--", then=go("jump", "", "n"), zh="无条件跳转", en="jump"),
+    insn("JMPC", "n:%L0..63", "a -- a", then=go("jump", "a", "n"), zh="累加器为1时跳转", en="jump where the accumulator is 1"),
+    insn("JMPCN", "n:%L0..63", "a -- a", then=go("jump", "!a", "n"), zh="累加器为0时跳转", en="jump where the accumulator is 0"),
+    insn("%L:", "n:%L0..63", "--", then=go("label", "", "n"), zh="标号", en="label"),
+    insn("SR", "n:SR0..63", "a -- a", then=go("call", "a", "n"), zh="累加器为1时调用子程序", en="call a subroutine where the accumulator is 1"),
+    insn("SR:", "n:SR0..63", "--", then=go("entry", "", "n"), zh="子程序开始", en="a subroutine begins"),
+    insn("RET", "", "--", then=go("return"), zh="子程序结束", en="end of the subroutine"),
     insn("END", "", "--", then=END, zh="程序结束", en="end of the program"),
-)
+    insn("ENDC", "", "a -- a", then=go("end", "a"), zh="累加器为1时结束", en="end of the scan where the accumulator is 1"),
+    insn("ENDCN", "", "a -- a", then=go("end", "!a"), zh="累加器为0时结束", en="end of the scan where the accumulator is 0"),
+)  # fmt: skip
+
+_PRESET = Setting(9999, first=0, last=9999)
+_ADJUSTABLE = Setting("Y", {"Y": 1, "N": 0})
 
 NEZA = Dialect(
     name="neza",
@@ -126,11 +163,28 @@ NEZA = Dialect(
         Area("%M", (("0", "255"),), Text("内部位", "internal bits")),
         Area("%S", (("0", "127"),), Text("系统位", "system bits")),
         Area("", (("0", "1"),), Text("常数0和1", "the constants 0 and 1")),
+        Area("%MW", (("0", "255"),), Text("内部字", "internal words"), size=16, digits=":X"),
+        Area("%KW", (("0", "63"),), Text("常数字", "constant words"), size=16, digits=":X"),
+        Area("%TM", (("0", "31"),), Text("定时器", "timers"), size=0, fields={"Q": 1, "P": 16, "V": 16}),
+        Area("%C", (("0", "15"),), Text("计数器", "counters"), size=0, fields={"E": 1, "D": 1, "F": 1, "V": 16, "P": 16}),
+        Area("%DR", (("0", "3"),), Text("鼓形控制器", "drum controllers"), size=0, fields={"F": 1, "S": 16}),
+        Area("%SBR", (("0", "7"),), Text("移位寄存器", "shift registers"), size=0, fields={f"{bit}": 1 for bit in range(16)}),
+        Area("%SC", (("0", "7"),), Text("步进计数器", "step counters"), size=0, fields={f"{bit}": 1 for bit in range(256)}),
+        Area("%R", (("0", "3"),), Text("FIFO/LIFO寄存器", "FIFO/LIFO registers"), size=0, fields={"E": 1, "F": 1, "I": 16, "O": 16}),
     ),
     kinds={
-        "bit": kind("%I %Q %M %S ", zh="位地址，如%I0.0", en="a bit address such as %I0.0"),
+        "bit": kind("%I %Q %M %S  %MW %KW %TM %C %DR %SBR %SC %R", zh="位地址，如%I0.0，或比较，如[%MW0 > 10]", en="a bit address such as %I0.0, or a comparison such as [%MW0 > 10]", compare=True),
         "edge": kind("%I %M", zh="%I或%M（只有它们有沿）", en="%I or %M (only they have edges)"),
-        "out": kind("%Q %M %S", zh="%Q、%M或%S", en="%Q, %M or %S"),
+        "out": kind("%Q %M %S %SBR %MW", zh="%Q、%M、%S、%SBR的位或字的位", en="%Q, %M, %S, a bit of %SBR or of a word"),
+        "word": words("%MW %KW %TM %C %DR %R", 16, zh="字或整数，如%MW0、%C0.V、100", en="a word or a whole number, such as %MW0, %C0.V or 100"),
+        "assign": words("%MW %TM %C %R", 16, constant=False, zh="运算，如%MW0 := %MW1 + 5", en="an operation such as %MW0 := %MW1 + 5"),
+        "block": blocks("%TM %C %DR %SBR %SC %R", zh="功能块，如%TM0", en="a function block such as %TM0"),
+        "tm": blocks("%TM", zh="定时器，如%TM0", en="a timer such as %TM0"),
+        "c": blocks("%C", zh="计数器，如%C0", en="a counter such as %C0"),
+        "dr": blocks("%DR", zh="鼓形控制器，如%DR0", en="a drum controller such as %DR0"),
+        "sbr": blocks("%SBR", zh="移位寄存器，如%SBR0", en="a shift register such as %SBR0"),
+        "sc": blocks("%SC", zh="步进计数器，如%SC0", en="a step counter such as %SC0"),
+        "r": blocks("%R", zh="FIFO/LIFO寄存器，如%R0", en="a FIFO/LIFO register such as %R0"),
     },
     insns=INSTRUCTIONS,
     roles={
@@ -141,10 +195,40 @@ NEZA = Dialect(
     samples_edges_at_start=True,  # an %M written in scan n shows its edge in scan n+1
     networks_by_title=False,
     heading="RUNG",
-    recognised=frozenset(
-        "BLK OUT_BLK END_BLK IN U CU CD I O JMP JMPC JMPCN SR0 SR1 SR2 SR3 SR4 SR5 SR6 SR7 RET ENDC ENDCN [".split()
+    blocks=(
+        Block(
+            "%TM", "timer", Text("定时器", "timer"), ("IN",), ("Q",), bit="Q", most=9999, stops=True, latches=True,
+            banks=(Bank(0, 31, 60_000, "scan"),), preset="P",
+            settings={
+                "TYPE": Setting("TON", {"TON": "on", "TOF": "off", "TP": "pulse"}),
+                "TB": Setting("1min", {"1min": 60_000, "1s": 1_000, "100ms": 100, "10ms": 10, "1ms": 1}),
+                "P": _PRESET, "ADJ": _ADJUSTABLE,
+            },
+        ),
+        Block(
+            "%C", "counter", Text("计数器", "counter"), ("R", "S", "CU", "CD"), ("E", "D", "F"), most=9999, preset="P",
+            settings={"P": _PRESET, "ADJ": _ADJUSTABLE},
+        ),
+        Block(
+            "%DR", "drum", Text("鼓形控制器", "drum controller"), ("R", "U"), ("F",),
+            settings={"OUT": Setting("", first=1, last=16, list=True), "STEPS": Setting("", first=1, last=8, list=True)},
+        ),
+        Block("%SBR", "bits", Text("移位寄存器", "shift register"), ("R", "CU", "CD")),
+        Block("%SC", "steps", Text("步进计数器", "step counter"), ("R", "CU", "CD")),
+        Block(
+            "%R", "queue", Text("FIFO/LIFO寄存器", "FIFO/LIFO register"), ("R", "I", "O"), ("E", "F"),
+            settings={"TYPE": Setting("FIFO", {"FIFO": "first", "LIFO": "last"})},
+        ),
     ),
-    specials={"0": "off", "1": "on", "%S13": "first", "%S0": "first"},
+    flags={"out": "%S17", "overflow": "%S18"},
+    wraps=True,
+    retentive={  # [rec]: timers begin anew
+        "%M": ((0, 255),), "%MW": ((0, 255),), "%C": ((0, 15),), "%DR": ((0, 3),), "%SBR": ((0, 7),), "%SC": ((0, 7),), "%R": ((0, 3),),
+    },
+    specials={
+        "0": "off", "1": "on", "%S0": "cold", "%S1": "warm", "%S13": "first",
+        "%S4": "10", "%S5": "100", "%S6": "1000", "%S7": "60000",
+    },
     examples=(
         "LD %I0.0; OR %Q0.0; ANDN %I0.1; ST %Q0.0; END",
         "LD %I0.0; AND( %I0.1; OR %I0.2; ); ST %Q0.0",
@@ -158,6 +242,18 @@ NEZA = Dialect(
         "LD %I0.0; AND(N %I0.1; OR %I0.2; ); OR(N %I0.3; AND %I0.4; ); ST %Q0.0",
         "LD %I0.0; AND(R %I0.1; OR %I0.2; ); OR(R %I0.3; AND %I0.4; ); ST %Q0.0",
         "LD %I0.0; AND(F %I0.1; OR %I0.2; ); OR(F %I0.3; AND %I0.4; ); ST %Q0.0",
+        "%TM0: TYPE=TON TB=1s P=5; BLK %TM0; LD %I0.0; IN; OUT_BLK; LD Q; ST %Q0.0; END_BLK",
+        "%TM1: TYPE=TOF TB=100ms P=20 ADJ=N; LD %I0.0; IN %TM1; LD %TM1.Q; ST %Q0.0",
+        "%C0: P=3; LD %I0.0; CU %C0; LD %I0.1; CD %C0; LD %I0.2; S %C0; LD %I0.3; R %C0; LD %C0.D; ST %Q0.0",
+        "%DR0: OUT=%Q0.0,%Q0.1 STEPS=00,10,01; LD %I0.0; U %DR0; LD %I0.1; R %DR0",
+        "LD %I0.3; S %SBR0.0; LD %I0.0; CU %SBR0; LD %I0.1; CD %SBR0; LD %I0.2; R %SBR0; LD %SBR0.3; ST %Q0.0",
+        "LD %I0.0; CU %SC0; LD %I0.1; CD %SC0; LD %I0.2; R %SC0; LD %SC0.2; ST %Q0.0",
+        "%R0: TYPE=LIFO; LD 1; [ %R0.I := %MW0 ]; LD %I0.0; I %R0; LD %I0.1; O %R0; LD %I0.2; R %R0; LDN %R0.E; ST %Q0.0",
+        "LDR %I0.0; [ %MW0 := %MW1 + 5 ]; LD [%MW0 > 10]; ST %Q0.0",
+        "LD %I0.0; JMPC %L1; LD %I0.1; ST %Q0.0; %L1:; LD %I0.2; ST %Q0.1",
+        "LD %I0.0; JMPCN %L1; LD %I0.1; ST %Q0.0; JMP %L2; %L1:; LD %I0.2; ST %Q0.1; %L2:; LD %I0.3; ST %Q0.2",
+        "LD %I0.0; SR1; END; SR1:; LD %I0.1; ST %Q0.0; RET",
+        "LD %I0.0; ENDC; LD %I0.1; ENDCN; LD %I0.2; ST %Q0.0",
     ),
     samples=(
         Sample("COI001", "LD %I0.0; ST %Q0.0; LD %I0.1; ST %Q0.0", "LD %I0.0; OR %I0.1; ST %Q0.0"),

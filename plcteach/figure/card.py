@@ -32,8 +32,20 @@ _CLASSES = {
     "contact": Text("触点指令", "contact instruction"),
     "coil": Text("线圈指令", "coil instruction"),
     "stack": Text("堆栈指令", "stack instruction"),
+    "block": Text("功能块指令", "block instruction"),
+    "word": Text("字指令", "word instruction"),
+    "course": Text("程序流程指令", "program control instruction"),
     "other": Text("其他指令", "other instruction"),
 }
+_VERBS = {
+    "block": {"drive", "pin", "open", "update"},
+    "word": {"work", "shift"},
+    "course": {
+        "jump", "label", "call", "return", "loop", "next", "end", "stop", "master", "restore", "segment", "transfer", "step",
+        "rail", "entry",
+    },
+    "coil": {"coil", "set", "reset"},
+}  # fmt: skip
 _BRANCHES = "{a} -> ({b} -> {q}), ({c} -> {r}), ({d} -> {s})"
 _SYMBOLS = {
     "join_series": "({a} + {b}) * ({c} + {d}) -> {q}", "join_parallel": "{a} * {b} + {c} * {d} -> {q}",
@@ -61,8 +73,10 @@ class Card:
     @property
     def kind(self) -> Text:
         """Whether it is a contact, a coil or a stack instruction."""
-        if any(verb.formula and verb.target in {"out", "direct"} for verb in self.insn.then):
-            return _CLASSES["coil"]
+        verbs = {verb.name for verb in self.insn.then}
+        for kind, names in _VERBS.items():
+            if verbs & names:
+                return _CLASSES[kind]
         if self.insn.operands and not self.insn.operands[0].number:
             return _CLASSES["contact"]
         return _CLASSES["stack"] if self.insn.effect.clauses[0].takes or self.insn.operands else _CLASSES["other"]
@@ -70,7 +84,7 @@ class Card:
     @property
     def form(self) -> str:
         """How it is written: the mnemonic and its operands by name."""
-        return f"{self.insn.mnemonic} {', '.join(operand.name for operand in self.insn.operands)}".strip()
+        return f"{self.insn.word} {', '.join(operand.mark + operand.name for operand in self.insn.operands)}".strip()
 
     def facts(self) -> list[tuple[Text, Text]]:
         """Give the card's rows: class, form, operands, what it does, the effect as the table has it."""

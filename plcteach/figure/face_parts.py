@@ -177,15 +177,12 @@ def _steps(face: Face, slots: Sequence[Slot]) -> Part:
     """Draw the steps around the active one, the numbers going up to the right."""
     shapes: list[Shape] = []
     for place, slot in enumerate(slots):
-        x = _STEP * place
+        active = slot.mark == "active"
         if slot.label != GAP:
-            active = slot.mark == "active"
-            number = same(slot.label)
-            shapes.append(Words(x + _STEP / 2, 8, number, "accent" if active else "quiet", size=11, bold=active))
-        shapes += _cell(slot, x, 18, _STEP)
-    for place, slot in enumerate(slots):  # once more, over its neighbours' edges
-        if slot.mark == "active":
-            shapes += _cell(slot, _STEP * place, 18, _STEP)
+            number, x = same(slot.label), _STEP * (place + 0.5)
+            shapes.append(Words(x, 8, number, "accent" if active else "quiet", size=11, bold=active))
+    for place, slot in sorted(enumerate(slots), key=lambda one: one[1].mark == "active"):
+        shapes += _cell(slot, _STEP * place, 18, _STEP)
     width = _STEP * len(slots)
     shapes += _ways(width, 18 + ROW + 14, _pin_called(face, "CD"), _pin_called(face, "CU"))
     return Part(width, 18 + ROW + 22, tuple(shapes))

@@ -77,9 +77,23 @@ def example(dialect: Dialect, words: str, number: int | None = None) -> Line:
     if operands:
         kind = f"operand of {row.mnemonic}"
         raise UnknownNameError(kind, " ".join(operands), ())
+    if _words_of(dialect, row) and number is None:
+        return _shown(dialect, row)
     args = tuple(_usual(dialect, row, operand, number) for operand in row.operands)
     numbers = {operand.name: arg for operand, arg in zip(row.operands, args, strict=True) if isinstance(arg, int)}
     return Line(row, args, row.effect.bind(numbers))
+
+
+def _words_of(dialect: Dialect, row: Insn) -> bool:
+    """Say whether an instruction works on more than bits and counts."""
+    kinds = [dialect.kinds[one.kind] for one in row.operands if one.kind]
+    return any(one.size != 1 for one in kinds) or any(one.mark or one.first < 0 for one in row.operands)
+
+
+def _shown(dialect: Dialect, row: Insn) -> Line:
+    """Give the line of the dialect's own example in which an instruction stands."""
+    program = read(dialect.example(row.mnemonic).replace("; ", "\n"), dialect)
+    return next(line for line in program.lines if line.insn is row)
 
 
 def _usual(dialect: Dialect, row: Insn, operand: Operand, number: int | None) -> Arg:

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import TYPE_CHECKING
 
 from plcteach.core.effect import Both, Edge, Name, flow, names
 from plcteach.core.text import NOTHING, Text, joined
+from plcteach.figure.does import does
 from plcteach.figure.illustration import example, takes_of
 from plcteach.figure.told import Told, edge_seen, operand_name, operand_said, plain, side, stack_name, with_value
 from plcteach.figure.writes import writes
@@ -15,6 +17,7 @@ if TYPE_CHECKING:
 
     from plcteach.core.effect import Formula, Origin
     from plcteach.core.spec import Dialect, Insn
+    from plcteach.core.verb import Verb
     from plcteach.machine.signals import Column
     from plcteach.machine.step import Step
 
@@ -85,7 +88,7 @@ def _parts(told: Told) -> Iterator[Text]:
     elif top:
         yield from _moved(told, top)
     yield from _lost(told)
-    yield from (writes(told, verb) for verb in told.line.insn.then if verb.formula)
+    yield from (_beside(told, verb) for verb in told.line.insn.then)
 
 
 def _changes(told: Told) -> bool:
@@ -108,17 +111,24 @@ def _missing(told: Told) -> Iterator[Text]:
 
 
 def _unchanged(told: Told) -> Iterator[Text]:
-    """Tell of coils, and of instructions that do nothing to any stack."""
-    verbs = [verb for verb in told.line.insn.then if verb.formula]
-    for verb in verbs:
-        alone = Text("累加器不变", "the accumulator keeps its value")
-        stays = Text("堆栈不变", "the stack stays as it is") if told.main.depth > 1 else alone
-        yield Text("{does}；{stays}", "{does}; {stays}").format(does=writes(told, verb), stays=stays)
-    if any(verb.name == "end" for verb in told.line.insn.then):
-        yield Text("程序到此结束，输出映像送到输出端子，下一个扫描周期从头开始",
-                   "the program ends here; the output image goes to the terminals, and the next scan begins at the top")  # fmt: skip
-    elif not verbs:
+    """Tell of coils, blocks and words, and of instructions that do nothing to any stack."""
+    verbs = [one for one in map(partial(_beside, told), told.line.insn.then) if one.zh]
+    alone = Text("累加器不变", "the accumulator keeps its value")
+    stays = Text("堆栈不变", "the stack stays as it is") if told.main.depth > 1 else alone
+    if not verbs:
         yield Text("空操作，什么也不改变", "no operation, and nothing changes")
+        return
+    yield from verbs[:-1]
+    taken = any(clause.takes for clause in told.line.effect.clauses)
+    yield Text("{does}；{stays}", "{does}; {stays}").format(does=verbs[-1], stays=stays) if taken else verbs[-1]
+
+
+def _beside(told: Told, verb: Verb) -> Text:
+    """Tell what an instruction does beside the stack."""
+    return writes(told, verb) if verb.name in _BITS else does(told, verb)
+
+
+_BITS = {"coil", "set", "reset"}
 
 
 def _saved(told: Told) -> Iterator[Text]:

@@ -1,176 +1,103 @@
-"""Words worked out from words: moves, sums, logic, shifts and conversions, with the flags that they leave.
+"""Words worked out from words: where the operands come from, what the target keeps, and the flags that are left.
 
-Sums and moves are formulas over `Word`; a rule that no formula over bits can give (a product, a quotient, reals) is a plain
-function of whole numbers, worked out case by case, and an answer of None means that there is no answer (a division by zero).
+How a result is made stands in `sums`. Where it does not fit, or there is none, a family either keeps the target as it was or
+cuts the result off.
 """
 
 from __future__ import annotations
 
-import math
-import struct
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from plcteach.core.area import Address, Kind
-from plcteach.core.program import Value
+from plcteach.machine.sums import RULES, Rule, real_bits
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
+    from plcteach.core.program import Value
     from plcteach.machine.evaluation import Evaluation
 
 Operands = list[tuple[Any, Kind | None]]
 
 
-@dataclass(frozen=True, slots=True)
-class Rule:
-    """How a word is worked out: a formula over words, or else a function of whole numbers.
-
-    flags: it leaves zero, overflow and negative behind.  wraps: too large a result is cut off and is no overflow.
-    """
-
-    formula: Callable[..., Any] | None = None
-    function: Callable[..., int | None] | None = None
-    flags: bool = True
-    wraps: bool = False
-
-
-def real(bits: int) -> float:
-    """Give the floating-point number that 32 bits spell."""
-    return float(struct.unpack(">f", struct.pack(">I", bits & 0xFFFFFFFF))[0])
-
-
-def real_bits(number: float) -> int | None:
-    """Give the 32 bits of a floating-point number; None where it has none."""
-    try:
-        return int(struct.unpack(">i", struct.pack(">f", number))[0]) if math.isfinite(number) else None
-    except OverflowError:
-        return None
-
-
-def _reals(function: Callable[..., float | None]) -> Rule:
-    def lifted(*bits: int) -> int | None:
-        result = function(*(real(one) for one in bits))
-        return None if result is None else real_bits(result)
-
-    return Rule(function=lifted)
-
-
-def _quotient(a: int, b: int) -> int | None:
-    """Divide towards zero, as every PLC does."""
-    if not b:
-        return None
-    return abs(a) // abs(b) * (1 if (a < 0) == (b < 0) else -1)
-
-
-def _rest(a: int, b: int) -> int | None:
-    quotient = _quotient(a, b)
-    return None if quotient is None else a - quotient * b
-
-
-def _halves(a: int, b: int) -> int | None:
-    """Divide two 16-bit numbers into one double word: the rest high, the quotient low."""
-    quotient, rest = _quotient(a, b), _rest(a, b)
-    return None if quotient is None or rest is None else (rest & 0xFFFF) << 16 | quotient & 0xFFFF
-
-
-def _left(size: int) -> Callable[[int, int], int]:
-    return lambda value, count: (value & ((1 << size) - 1)) << min(max(count, 0), size)
-
-
-def _right(size: int) -> Callable[[int, int], int]:
-    return lambda value, count: (value & ((1 << size) - 1)) >> min(max(count, 0), size)
-
-
-def _turn(size: int, way: int) -> Callable[[int, int], int]:
-    def turned(value: int, count: int) -> int:
-        places = way * count % size
-        value &= (1 << size) - 1
-        return (value << places | value >> (size - places)) & ((1 << size) - 1)
-
-    return turned
-
-
-RULES: dict[str, Rule] = {
-    "move": Rule(lambda a: a, flags=False, wraps=True),
-    "add": Rule(lambda a, b: a + b),
-    "sub": Rule(lambda a, b: a - b),
-    "mul": Rule(function=lambda a, b: a * b),
-    "div": Rule(function=_quotient),
-    "rem": Rule(function=_rest),
-    "divmod": Rule(function=_halves, wraps=True),
-    "and": Rule(function=lambda a, b: a & b, wraps=True),
-    "or": Rule(function=lambda a, b: a | b, wraps=True),
-    "xor": Rule(function=lambda a, b: a ^ b, wraps=True),
-    "not": Rule(function=lambda a: ~a, wraps=True),
-    "neg": Rule(function=lambda a: -a),
-    "sqrt": Rule(function=lambda a: math.isqrt(a) if a >= 0 else None),
-    "radd": _reals(lambda a, b: a + b),
-    "rsub": _reals(lambda a, b: a - b),
-    "rmul": _reals(lambda a, b: a * b),
-    "rdiv": _reals(lambda a, b: a / b if b else None),
-    "rsqrt": _reals(lambda a: math.sqrt(a) if a >= 0 else None),
-    "to_real": Rule(function=lambda a: real_bits(float(a)), flags=False),
-    "round": Rule(function=lambda a: math.floor(real(a) + 0.5) if math.isfinite(real(a)) else None),
-    "trunc": Rule(function=lambda a: math.trunc(real(a)) if math.isfinite(real(a)) else None),
-    "inc": Rule(function=lambda a: a + 1),
-    "dec": Rule(function=lambda a: a - 1),
-}
-for _size in (8, 16, 32):
-    RULES[f"shl{_size}"] = Rule(function=_left(_size), wraps=True)
-    RULES[f"shr{_size}"] = Rule(function=_right(_size), wraps=True)
-    RULES[f"rol{_size}"] = Rule(function=_turn(_size, 1), wraps=True)
-    RULES[f"ror{_size}"] = Rule(function=_turn(_size, -1), wraps=True)
-
-
 def worked(doing: Evaluation[Any], op: str, sources: Operands, target: tuple[Address, Kind], power: Any) -> None:
-    """Write the result to the target where there is power, with its flags; ENO says whether it went well.
-
-    Where the result does not fit, or there is none, a family either keeps the target as it was or cuts the result off.
-    """
+    """Write the result to the target where there is power, with its flags; ENO says whether it went well."""
     world, domain, rule = doing.world, doing.world.domain, RULES[op]
     words = [world.word(arg, kind) for arg, kind in sources]
-    for arg, _ in sources:
-        if isinstance(arg, Address):
-            doing.seen.append((arg, words[[one for one, _ in sources].index(arg)]))
-    exact = rule.formula(*words) if rule.formula else domain.apply(rule.function, *words)
+    doing.seen += [(arg, word) for (arg, _), word in zip(sources, words, strict=True) if isinstance(arg, Address)]
+    exact, answered = rule.exact(domain, words)
     place, kind = target
-    size = place.size or kind.size
-    old = world.word(place, kind)
+    size = min(place.size, kind.size) or kind.size
     result = exact.wrap(size, signed=kind.signed)
-    fits = domain.one if rule.wraps else result.eq(exact)
-    divides = _divides(world, op, words)
-    done = power & divides if world.dialect.wraps else power & fits & divides
-    doing.written.append((place, domain.pick(done, result, old)))
+    fits = answered if rule.wraps else answered & result.eq(exact)
+    divides = ~words[-1].eq(domain.number(0)) if rule.divides else domain.one
+    if rule.divides and kind.real:
+        divides = divides & ~words[-1].eq(domain.number(_MINUS_ZERO))
+    went = divides & (answered if world.dialect.wraps else fits)
+    doing.written.append(
+        (place, domain.pick(power & went, _among(domain, result, (world, place, size)), world.word(place)))
+    )
     doing.kept.append(("ENO", power & fits & divides))
-    if rule.flags:
-        _flags(doing, power, (exact, result), (fits, divides))
+    _flags(doing, rule, power, (exact, result, fits, divides))
+    if rule.out:
+        _fallen(doing, rule, power, words)
 
 
-def _divides(world: Any, op: str, words: list[Any]) -> Any:
-    """Say whether a division has a divisor."""
-    if op not in {"div", "rem", "divmod", "rdiv"}:
-        return world.domain.one
-    return ~words[-1].eq(world.domain.number(0))
+_MINUS_ZERO = -(1 << 31)
 
 
-def _flags(doing: Evaluation[Any], power: Any, values: tuple[Any, Any], went: tuple[Any, Any]) -> None:
-    """Leave the flags of a result, in the bits that the family has for them."""
+def _among(domain: Any, result: Any, into: tuple[Any, Address, int]) -> Any:
+    """Put a result into the low part of a wider register, whose other bits stay [rec]."""
+    world, place, size = into
+    if size == place.size:
+        return result
+    return domain.join((*result.bits(size), *world.word(place).bits(place.size)[size:]))
+
+
+def ordered(doing: Evaluation[Any], sources: Operands, target: Address, power: Any) -> None:
+    """Say in three bits where the last word lies: below the first, at or between the others, or above them.
+
+    Two words are the number compared with and the number itself; of three, an upper end below the lower one counts as equal.
+    """
     world, domain = doing.world, doing.world.domain
-    (exact, result), (fits, divides) = values, went
+    words = [world.word(arg, kind) for arg, kind in sources]
+    doing.seen += [(arg, word) for (arg, _), word in zip(sources, words, strict=True) if isinstance(arg, Address)]
+    low, value = words[0], words[-1]
+    high = domain.pick(words[-2].ge(low), words[-2], low)
+    found = (~value.ge(low), value.ge(low) & high.ge(value), ~high.ge(value))
+    for place, bit in zip(world.following(target, len(found)), found, strict=False):
+        doing.written.append((place, domain.pick(power, bit, world.bit(place))))
+
+
+def _flags(doing: Evaluation[Any], rule: Rule, power: Any, made: tuple[Any, Any, Any, Any]) -> None:
+    """Leave the flags of a result in the bits that the family has for them; a division by zero leaves the others alone."""
+    world, domain = doing.world, doing.world.domain
+    exact, result, fits, divides = made
     zero = domain.number(0)
+    shown = domain.apply(rule.shown, result) if rule.shown else result
     found = {
-        "zero": result.eq(zero) & fits & divides,
-        "negative": ~result.ge(zero) & fits & divides,
+        "zero": shown.eq(zero) & fits,
+        "negative": ~shown.ge(zero) & fits,
         "overflow": ~fits,
-        "divide": ~divides,
         "borrow": ~fits & ~exact.ge(zero),
         "carry": ~fits & exact.ge(zero),
+        "divide": ~divides,
     }
-    for name, value in found.items():
+    for name in rule.flags:
         if name in world.dialect.flags:
             flag = world.dialect.address(world.dialect.flags[name])
-            doing.written.append((flag, domain.pick(power, value, world.bit(flag))))
+            where = power if name == "divide" else power & divides
+            doing.written.append((flag, domain.pick(where, found[name], world.bit(flag))))
+
+
+def _fallen(doing: Evaluation[Any], rule: Rule, power: Any, words: list[Any]) -> None:
+    """Keep the bit that fell out last in the overflow flag; where none fell out the flag stays."""
+    world, domain, out = doing.world, doing.world.domain, rule.out
+    if out is None or "overflow" not in world.dialect.flags:
+        return
+    flag = world.dialect.address(world.dialect.flags["overflow"])
+    one = domain.number(1)
+    falls = domain.apply(lambda value, count: int(out(value, count) is not None), *words).eq(one)
+    bit = domain.apply(lambda value, count: out(value, count) or 0, *words).eq(one)
+    doing.written.append((flag, domain.pick(power & falls, bit, world.bit(flag))))
 
 
 def number_of(value: Value, *, as_real: bool) -> int | None:

@@ -36,8 +36,7 @@ def cleared(doing: Evaluation[Any], place: Address, power: Any) -> bool:
     if block is None or place.field:
         if place.size == 1:
             return False
-        kind = next(kind for kind in world.dialect.kinds.values() if place.area in kind.areas)
-        doing.written.append((place, domain.pick(power, zero, world.word(place, kind))))
+        doing.written.append((place, domain.pick(power, zero, world.word(place))))
         return True
     doing.written.append((place, world.bit(place) & ~power))
     if block.rule == "timer":
@@ -120,7 +119,7 @@ def _counter(doing: Evaluation[Any], op: str, target: Address, pins: Pins, prese
         both["DOWN"] = world.kept(f"{world.dialect.block(target).down}{target.index}")
         after = counters.ring(domain, now, both, goal, world.kept(target.text))
     elif op == "upto":
-        after = counters.up_to(domain, now, both, goal)
+        after = counters.up_to(domain, now, both, goal, world.kept(target.text))
     else:
         bits = {name: world.kept(f"{target.text}.{name}") for name in "EF"}
         after = counters.preset_both_ways(domain, now, both, goal, bits)

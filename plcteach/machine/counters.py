@@ -42,10 +42,16 @@ def up(domain: Domain[Any], value: Any, pins: dict[str, Any], preset: Any, most:
     return Count(value, {"": value.ge(preset) & ~pins["R"]})
 
 
-def up_to(domain: Domain[Any], value: Any, pins: dict[str, Any], preset: Any) -> Count:
-    """Count up to the preset and stay there, on."""
-    value = counted(domain, value, pins["CU"], domain.zero, Ends(domain.number(0), preset))
-    return Count(value, {"": value.ge(preset)})
+def up_to(domain: Domain[Any], value: Any, pins: dict[str, Any], preset: Any, bit: Any) -> Count:
+    """Count up to the preset and stay there; the bit comes on with the count that reaches it, and stays.
+
+    A value that was written beyond the preset becomes the preset with the next count (FX programming manual).
+    """
+    one = domain.number(1)
+    preset = domain.pick(preset.ge(one), preset, one)
+    reaches = pins["CU"] & (value + one).ge(preset)
+    value = domain.pick(reaches, preset, domain.pick(pins["CU"], value + one, value))
+    return Count(value, {"": bit | reaches})
 
 
 def down(domain: Domain[Any], value: Any, pins: dict[str, Any], preset: Any) -> Count:

@@ -80,7 +80,7 @@ class Course(Generic[S]):
             if run == domain.zero and number not in self.plan.wakes:
                 continue
             self.world.at(number, count)
-            one = step(lines[number], self.shapes, self.stacks, self.world, domain.blank, number)
+            one = step(lines[number], self.shapes, self.stacks, self.world, domain.blank, number=number)
             if run != domain.zero:
                 self.world.keep(one, run)
                 self.stacks = one.after if run is None else self.merged(one, run)
@@ -147,6 +147,7 @@ class Course(Generic[S]):
     # What the verbs ask for.
 
     def jump(self, verb: Verb, one: Step[S], power: S | None) -> None:
+        """Go on at a label: passing over what lies between, or back, where the answer is the same in all cases."""
         number = one.line.bound[verb.target]
         target = self.plan.labels.get((self.routine, int(number)))  # type: ignore[arg-type]
         if target is None:
@@ -161,6 +162,7 @@ class Course(Generic[S]):
         self.less(taken)
 
     def label(self, _verb: Verb, one: Step[S], _power: S | None) -> None:
+        """Let those go on that have jumped here."""
         waiting = self.waiting.pop(one.number, None)
         if waiting is None or self.run is None:
             return
@@ -169,6 +171,7 @@ class Course(Generic[S]):
             self.run = None
 
     def call(self, verb: Verb, one: Step[S], power: S | None) -> None:
+        """Put the stack aside and begin a routine with 1 on top of zeros."""
         operand = next((each for each in one.line.insn.operands if each.name == verb.target), None)
         name = f"{operand.mark if operand else ''}{one.line.bound.get(verb.target)}"
         here, domain = self.here(power), self.world.domain
@@ -191,9 +194,11 @@ class Course(Generic[S]):
         return True
 
     def leave(self, _verb: Verb, _one: Step[S], power: S | None) -> None:
+        """Go on only where there was no power."""
         self.less(power)
 
     def finish(self, _verb: Verb, one: Step[S], power: S | None) -> None:
+        """End the scan, or end it where there is power."""
         if power is None:
             self.next = self.stop
             self.frames.clear()
@@ -202,6 +207,7 @@ class Course(Generic[S]):
             self.leave(_verb, one, power)
 
     def halt(self, _verb: Verb, _one: Step[S], power: S | None) -> None:
+        """Remember where the CPU goes to STOP."""
         here = self.here(power)
         self.world.stopped = here if self.world.stopped is None else self.world.stopped | here
         if self.world.stopped == self.world.domain.zero:
@@ -239,11 +245,13 @@ class Course(Generic[S]):
             self.loops.pop()
 
     def master(self, verb: Verb, one: Step[S], power: S | None) -> None:
+        """Switch the rail by a master control."""
         number = one.line.bound[verb.target]
         self.rails[int(number)] = self.base  # type: ignore[arg-type]
         self.world.rail = self.base = power
 
     def restore(self, verb: Verb, one: Step[S], _power: S | None) -> None:
+        """Give the rail back what it had before a master control."""
         number = int(one.line.bound[verb.target])  # type: ignore[arg-type]
         if number in self.rails:
             self.world.rail = self.base = self.rails[number]
@@ -281,20 +289,23 @@ class Course(Generic[S]):
         self.powered_by.append(bit)
 
     def setting(self, verb: Verb, one: Step[S], power: S | None) -> None:
-        """A step that is set from within a step ends the latter, at the end of the scan."""
+        """End a step at the end of the scan in which another is set from within it."""
         target = one.line.bound.get(verb.target)
         if self.stepping and isinstance(target, Address) and power is not None:
             self.leaving += [(bit, self.here(power)) for bit in self.powered_by if bit.area == target.area]
 
     def open_block(self, verb: Verb, one: Step[S], _power: S | None) -> None:
+        """Begin a block's input section."""
         block = one.line.bound[verb.target]
         self.world.open_block, self.world.pins = str(block), {}
 
     def pin(self, verb: Verb, _one: Step[S], power: S | None) -> None:
+        """Keep what a pin gets until the section ends."""
         if power is not None:
             self.world.pins[verb.op] = power
 
     def update(self, _verb: Verb, _one: Step[S], _power: S | None) -> None:
+        """End a block's input section."""
         self.world.open_block = ""
 
     def end(self) -> None:
@@ -315,6 +326,7 @@ class Course(Generic[S]):
         self.world.stopped = self.world.domain.one
 
     def say(self, code: str, where: Any, **values: object) -> None:
+        """Add a finding at a line."""
         line = getattr(where, "line", where)
         self.found.append(rule(code).at(line.span, **({"word": line.text} | values)))
 

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from plcteach.core.area import Address
 from plcteach.core.program import Assign
-from plcteach.machine.arithmetic import worked
+from plcteach.machine.arithmetic import ordered, worked
 from plcteach.machine.blocks import cleared, driven
 from plcteach.machine.shifts import shifted
 
@@ -36,13 +36,22 @@ def _latch(doing: Evaluation[Any], verb: Verb) -> None:
     if not isinstance(target, Address) or not isinstance(count, int):
         return
     operand = doing.operand(verb.target)
-    for place in doing.world.following(target, count):
+    for place in _stretch(doing, verb, target, count):
         if not doing.world.spells and verb.name == "reset" and cleared(doing, place, power):
             continue
         was = doing.world.read(operand, place)
         doing.written.append((place, was | power if verb.name == "set" else was & ~power))
     if verb.name == "set":
         doing.asks.append((verb, power))
+
+
+def _stretch(doing: Evaluation[Any], verb: Verb, target: Address, count: int) -> tuple[Address, ...]:
+    """Give the addresses that a set or reset works on: so many, or up to another of the same area."""
+    last = doing.bound(verb.sources[0]) if verb.sources else None
+    if isinstance(last, Address) and last.area == target.area:
+        count = max(1, last.index - target.index + 1)
+    places: tuple[Address, ...] = doing.world.following(target, count)
+    return places
 
 
 def _work(doing: Evaluation[Any], verb: Verb) -> None:
@@ -60,6 +69,9 @@ def _work(doing: Evaluation[Any], verb: Verb) -> None:
             for name in verb.sources
             if doing.bound(name) is not None
         ]
+        if verb.op == "compare":
+            ordered(doing, sources, target, power)
+            return
         worked(doing, verb.op, sources, (target, kinds[doing.operand(verb.target).kind]), power)
 
 

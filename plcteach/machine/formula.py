@@ -144,7 +144,7 @@ def spelled(program: Program) -> tuple[Step[Term], ...]:
     for network in program.networks:
         stacks = tuple(cells if shape.fixed else () for cells, shape in zip(stacks, shapes, strict=True))
         for line in network.lines:
-            one = step(line, shapes, stacks, world, blank, len(steps))
+            one = step(line, shapes, stacks, world, blank, number=len(steps))
             steps.append(one)
             stacks = one.after
     return tuple(steps)

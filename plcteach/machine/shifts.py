@@ -41,6 +41,7 @@ def shifted(doing: Evaluation[Any], verb: Verb, power: Any) -> None:
     doing.written += [
         (place, world.domain.pick(power, new, old)) for place, new, old in zip(places, result, row, strict=True)
     ]
+    doing.kept.append(("ENO", power))
     if verb.op == "row" and "overflow" in world.dialect.flags and row:
         flag = world.dialect.address(world.dialect.flags["overflow"])
         doing.written.append((flag, world.domain.pick(power, row[-1] if up else row[0], world.bit(flag))))

@@ -49,7 +49,7 @@ class Step(Generic[S]):
 
 
 def step(
-    line: Line, shapes: tuple[Shape, ...], before: Stacks[S], world: World[S], blank: S, number: int = 0
+    line: Line, shapes: tuple[Shape, ...], before: Stacks[S], world: World[S], blank: S, *, number: int = 0
 ) -> Step[S]:
     """Execute one line; `blank` is what stands in a cell that nobody has filled."""
     moves = flow(line.effect, shapes, tuple(map(len, before)))

@@ -13,6 +13,8 @@ from plcteach.core.area import Address
 from plcteach.core.program import Value
 from plcteach.machine.arithmetic import number_of
 from plcteach.machine.signals import Signal
+from plcteach.machine.sums import ordered
+from plcteach.machine.words import wrapped
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -95,14 +97,17 @@ class Store(Generic[S]):
     def word(self, arg: Arg, kind: Kind | None = None) -> Any:
         """Give the number that an operand of this kind stands for."""
         if isinstance(arg, Value):
-            return self.domain.number(number_of(arg, as_real=bool(kind and kind.real)))
+            number = number_of(arg, as_real=bool(kind and kind.real))
+            bits = number is not None and kind is not None and kind.signed and not kind.real
+            return self.domain.number(wrapped(number, kind.size) if bits else number)  # type: ignore[arg-type, union-attr]
         if isinstance(arg, int):
             return self.domain.number(arg)
         if not isinstance(arg, Address):
             return self.domain.number(None)
         bits = self.dialect.bits_of(arg)
         if bits and arg.size > 1:
-            return self.domain.join([self.bit(one) for one in bits], signed=not kind or kind.signed)
+            whole = len(bits) >= (kind.size if kind else REGISTER if arg.field else 0)
+            return self.domain.join([self.bit(one) for one in bits], signed=whole and (not kind or kind.signed))
         return self._own(arg, kind.size if kind else arg.size, signed=not kind or kind.signed)
 
     def _own(self, arg: Address, size: int, *, signed: bool) -> Any:
@@ -113,7 +118,7 @@ class Store(Generic[S]):
             whole = self.dialect.whole(arg)
             return self.number(f"{whole.text}.ms").over(self.base(whole))
         low = self.number(key)
-        if size > arg.size and arg.size == REGISTER and not block:
+        if max(size, arg.size) > area.size == REGISTER and not block:
             high = self.number(area.address(arg.index + 1).text)
             return self.domain.join((*low.bits(REGISTER), *high.bits(REGISTER)), signed=signed)
         return low.wrap(size, signed=signed) if size < arg.size else low
@@ -123,7 +128,7 @@ class Store(Generic[S]):
         kind = self.dialect.kinds[compare.kind]
         left, right = self.word(compare.left, kind), self.word(compare.right, kind)
         if kind.real:
-            left, right = (self.domain.apply(_ordered, one) for one in (left, right))
+            left, right = (self.domain.apply(ordered, one) for one in (left, right))
         result: S = _RELATIONS[compare.relation](left, right)
         return result
 
@@ -161,9 +166,3 @@ _RELATIONS = {
     ">": lambda a, b: ~b.ge(a),
     "<": lambda a, b: ~a.ge(b),
 }
-
-
-def _ordered(bits: int) -> int:
-    """Turn the bits of a real into a whole number of the same order, so that reals compare like whole numbers."""
-    bits &= 0xFFFFFFFF
-    return -(bits & 0x7FFFFFFF) if bits >> 31 else bits

@@ -163,9 +163,9 @@ def write_timeline(scans: Iterable[Mapping[str, int]], scan_ms: int = SCAN_MS) -
                     course.append(Phase(now, value))
     courses = {address: course for address, course in courses.items() if any(phase.value for phase in course)}
     last = max((course[-1].start_ms for course in courses.values()), default=0)
-    long = next((name for name, course in courses.items() if course[-1].start_ms == last and now > last + AFTER_MS), "")
-    rows = (_row(name, courses[name], now if name == long else None) for name in sorted(courses, key=_in_order))
-    return "".join(f"{row}\n" for row in rows)
+    names = sorted(courses, key=_in_order)
+    long = next((name for name in names if courses[name][-1].start_ms == last and now > last + AFTER_MS), "")
+    return "".join(f"{_row(name, courses[name], now if name == long else None)}\n" for name in names)
 
 
 def _in_order(address: str) -> list[str | int]:

@@ -221,23 +221,25 @@ class Domain(Generic[S]):
     def apply(self, rule: Callable[..., int | None], *words: Any) -> Any:
         """Work out any rule over whole numbers, case by case, where no formula over bits exists (division, reals)."""
         cases = self.one.may1.bit_length()  # type: ignore[attr-defined]
-        results = [rule(*(_value(word, case) for word in words)) for case in range(cases)]
-        return _gathered(results, self)
+        rows = ([value_of(word, case) for word in words] for case in range(cases))
+        results = [None if None in row else rule(*row) for row in rows]
+        return gathered(results, self)
 
     def certain(self, signal: S) -> bool | None:
         """Say whether a signal is 1 (True) or 0 (False) in every case; None where it is not settled."""
         return True if signal == self.one else False if signal == self.zero else None
 
 
-def _value(word: Vector[Column], case: int) -> int | None:
+def value_of(word: Vector[Column], case: int) -> int | None:
+    """Give a vector's number in one case; None where nobody knows it."""
     digits = [sign.at(case) for sign in word.signs]
     if "x" in digits:
         return None
     return wrapped(int("".join(reversed(digits)), 2), len(digits))
 
 
-def _gathered(results: list[int | None], domain: Domain[Any]) -> Vector[Column]:
-    """Turn the results of all cases into one vector."""
+def gathered(results: list[int | None], domain: Domain[Any]) -> Vector[Column]:
+    """Turn the numbers of all cases into one vector."""
     size = max((one.bit_length() for one in results if one is not None), default=0) + 1
     signs = []
     for place in range(size):

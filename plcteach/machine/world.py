@@ -37,7 +37,7 @@ class Plant(Store[S]):
         self.scans = memory.scans
         self.now = memory.now + ms
         self.ms = ms
-        self.dt = domain.number(ms)
+        self.dt = self.lapse(ms)
         self.words: dict[str, Any] = {
             **memory.words,
             **{name: value for name, value in inputs.items() if hasattr(value, "times")},
@@ -89,7 +89,15 @@ class Plant(Store[S]):
         """Come to a line; as if line i of n ran i/n of the way through the scan, the fastest timers move on a little."""
         self.line = line
         if any(moment == "always" for _, _, moment in self.clocks):
-            self.tick("always", self.domain.number(self.ms * (line + 1) // of - self.ms * line // of))
+            self.tick("always", self.share(line, of))
+
+    def lapse(self, ms: int) -> Any:
+        """Give the time since the last scan as a number."""
+        return self.domain.number(ms)
+
+    def share(self, line: int, of: int) -> Any:
+        """Give the part of that time that belongs to one line of so many."""
+        return self.domain.number(self.ms * (line + 1) // of - self.ms * line // of)
 
     def read(self, operand: Operand, address: Address) -> S:
         """Give the bit that an operand of this kind sees."""

@@ -41,6 +41,7 @@ _HEADS = {name.lower(): part for name, part in COLUMNS} | {
     name: part for part, names in _OTHER_HEADS.items() for name in names.split("|")
 }
 
+_SAYS_INSTRUCTION = re.compile("|".join(name for name, part in _HEADS.items() if part == "instruction"), re.IGNORECASE)
 _FIRST_ROWS = 40
 _LONGEST = 2_000
 _DELIMITERS = "\t,;"
@@ -81,9 +82,9 @@ class Layout:
 
     def record(self, number: int, row: str) -> Record | None:
         """Give what a row says; nothing for what stands above the heads, such as the program's name."""
-        found = list(cells(row, self.delimiter))
         if number < self.first:
             return None
+        found = list(cells(row, self.delimiter))
         by_part: dict[Part, list[Cell]] = {"step": [], "statement": [], "instruction": [], "operand": [], "note": []}
         for cell, part in zip(found, [*self.parts, *["note"] * len(found)], strict=False):
             if cell.text.strip():
@@ -122,14 +123,12 @@ def layout_of(rows: Sequence[str]) -> Layout | None:
     """Notice such a table by its head row or, without one, by its quoted or numbered rows; None for any other text."""
     beginning = [row[:_LONGEST] for row in rows[:_FIRST_ROWS]]
     for number, row in enumerate(beginning, 1):
-        for delimiter in _DELIMITERS:
+        for delimiter in _DELIMITERS if _SAYS_INSTRUCTION.search(half_width(row)) else "":
             parts = _heads(row, delimiter)
             if {"instruction", "operand"} <= set(parts):
                 return Layout(delimiter, parts, number + 1)
-    for number, row in enumerate(beginning, 1):
-        if _QUOTED.fullmatch(row) or _NUMBERED.fullmatch(row):
-            return _by_place(row, number)
-    return None
+    telling = next((row for row in beginning if _QUOTED.fullmatch(row) or _NUMBERED.fullmatch(row)), None)
+    return None if telling is None else _by_place(telling, beginning)
 
 
 def _heads(row: str, delimiter: str) -> tuple[Part, ...]:
@@ -139,7 +138,13 @@ def _heads(row: str, delimiter: str) -> tuple[Part, ...]:
     return tuple(_HEADS.get(name, "note") for name in names)
 
 
-def _by_place(row: str, first: int) -> Layout:
-    delimiter = max(_DELIMITERS, key=lambda one: sum(1 for _ in cells(row, one)))
-    width = sum(1 for _ in cells(row, delimiter))
-    return Layout(delimiter, _SHORT if width <= _FEWEST else tuple(part for _, part in COLUMNS), first)
+def _by_place(telling: str, beginning: list[str]) -> Layout:
+    """Take the columns in their usual order, from the first row on that has several."""
+    delimiter = max(_DELIMITERS, key=lambda one: _width(telling, one))
+    first = next(number for number, row in enumerate(beginning, 1) if _width(row, delimiter) >= _FEWEST)
+    short = _width(telling, delimiter) <= _FEWEST
+    return Layout(delimiter, _SHORT if short else tuple(part for _, part in COLUMNS), first)
+
+
+def _width(row: str, delimiter: str) -> int:
+    return sum(1 for _ in cells(row, delimiter))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from plcteach.core.area import Address, Area
@@ -53,7 +54,7 @@ class Operands:
                     self.say("RDR003", span, word=insn.word, expected=self.expected(operand))
                     return None
                 break
-            arg = self.arg(insn, operand, words[at : at + wants])
+            arg = self.arg(insn, self.suited(insn, operand, args), words[at : at + wants])
             if arg is None:
                 return None
             args.append(arg)
@@ -74,6 +75,14 @@ class Operands:
         if kind.size == 1:
             return self.bit(insn, operand, words[0])
         return self.word(insn, operand, words[0], kind)
+
+    def suited(self, insn: Insn, operand: Operand, args: list[Arg]) -> Operand:
+        """Give the operand as the block before it wants it: the preset of a 32-bit counter has 32 bits."""
+        is_preset = any(verb.name == "drive" and operand.name in verb.sources for verb in insn.then)
+        if not is_preset or not args or not isinstance(args[0], Address):
+            return operand
+        wide = f"{operand.kind}{self.dialect.bank(args[0]).size}"
+        return replace(operand, kind=wide) if wide in self.dialect.kinds else operand
 
     def expected(self, operand: Operand) -> Text:
         """Say what stands for an operand."""
@@ -156,12 +165,21 @@ class Operands:
         found = self.place(word)
         if isinstance(found, Address):
             wide = self.widened(found, kind)
+            if wide is not None and not kind.size and self.without_timing(found):
+                self.say("RDR002", word.span, word=f"{insn.word} {found.text}")
+                return None
             if wide is not None:
                 return wide
             self.say("RDR007", word.span, word=insn.word, address=found.text, expected=self.expected(operand))
         else:
             self.nowhere(operand, word, found)
         return None
+
+    def without_timing(self, found: Address) -> bool:
+        """Say whether a block's number lies in no bank of its area, as a high-speed counter's does."""
+        block = self.dialect.block(found)
+        banks = block.banks if block else ()
+        return bool(banks) and not any(bank.first <= found.index <= bank.last for bank in banks)
 
     def widened(self, found: Address, kind: Kind) -> Address | None:
         """Give an address with the width that a kind wants; None where it lies elsewhere or has another width."""
@@ -171,7 +189,8 @@ class Operands:
         if kind.size == 0:
             return found if found.size == 0 or (found.size == 1 and area.value and not found.field) else None
         if found.size == 1 and area.value and not found.field:
-            return Address(found.area, found.index, found.text, self.dialect.bank(found).size)
+            size = self.dialect.bank(found).size
+            return Address(found.area, found.index, found.text, size) if size == kind.size else None
         if found.size in {0, 1} or (found.size > kind.size and not area.size == found.size):
             return None
         if found.size == area.size and not found.field and kind.size > found.size:
@@ -200,6 +219,8 @@ class Operands:
     def fits(self, value: Value, kind: Kind) -> bool:
         """Say whether a number has room in a kind of word."""
         low, high = limits(kind)
+        if kind.ends:
+            return low <= value.number <= high
         bits = (value.text[:1].isalpha() and not value.text.startswith("K")) or "#" in value.text
         return kind.real or low <= value.number <= high or (bits and 0 <= value.number < 1 << kind.size)
 
@@ -228,6 +249,8 @@ class Operands:
 
 def limits(kind: Kind) -> tuple[int, int]:
     """Give the smallest and the largest number that a kind of word holds."""
+    if kind.ends:
+        return kind.ends
     if not kind.signed:
         return 0, (1 << kind.size) - 1
     return -(1 << (kind.size - 1)), (1 << (kind.size - 1)) - 1

@@ -83,6 +83,7 @@ _HEADS: dict[Column, str] = {
     "comment": "comment|comments|description|注释|说明|备注|注解|描述",
 }
 _BY_HEAD = {name: column for column, names in _HEADS.items() for name in names.split("|")}
+_SAYS_ADDRESS = re.compile(_HEADS["address"], re.IGNORECASE)
 _ORDER: tuple[Column, ...] = ("name", "address", "comment")
 _SWAPPED: tuple[Column, ...] = ("address", "name", "comment")
 
@@ -148,6 +149,8 @@ def _cut(row: str, delimiter: str) -> list[Cell]:
 
 def _headed(rows: Sequence[str], delimiter: str) -> _Layout | None:
     for number, row in enumerate(rows[:_FIRST_ROWS], 1):
+        if not _SAYS_ADDRESS.search(half_width(row[:LONGEST_ROW])):
+            continue
         names = [half_width(cell.text).strip().lower() for cell in _cut(row[:LONGEST_ROW], delimiter)]
         columns = tuple(map(_column, names))
         if {"name", "address"} <= set(columns):

@@ -10,6 +10,11 @@ A case is prose and fenced blocks; each block is checked by what its first word 
     ```stack X0=1 X2=0        the same with values (0, 1, x) for these inputs
     ```gives                  `Y0 = X0·X1 + X2`: an output after one scan from power-on, for all values of the names in it
     ```run                    scan by scan: `X0 X1 | Y0` as the head, then a row of values a scan
+    ```time 10ms 20s          the inputs over time, as a teacher types them (`I0.0: 1s off, 0.2s on, off`), the scan time
+                              (10ms) and when it ends (1 s after the last change); runs the program for the next block
+    ```then                   what the scans of that run leave behind, in the same language, scan by scan: `Q0.0: 1s off, on`
+                              is 0 in every scan that starts before 1 s and 1 from there on; words have numbers (`T37.V: 1s 0,
+                              10 x (100ms 1, 100ms 2), 5`); `at most 1 of Q0.0 Q0.1`; `says RUN001 at 3` for each finding
     ```figure s7-200 LDS 3    the before and after columns of an instruction, top first
     ```ladder                 a drawing that lowers to the program
     ```lint                   everything that is said: `error STK003 at 6`, or `nothing`
@@ -30,8 +35,9 @@ from plcteach.check import lint
 from plcteach.dialects import dialect
 from plcteach.figure.illustration import illustration
 from plcteach.ladder import lower, read_drawing
-from plcteach.machine import run
+from plcteach.machine import Trace, run
 from plcteach.machine.formula import spelled, written
+from plcteach.machine.timeline import timeline
 from plcteach.stl import read, write
 
 FOLDER = Path(__file__).parent
@@ -226,6 +232,43 @@ def check_run(block: Block, program) -> None:
     assert [{name: repr(scan[name]) for name in outputs} for scan in trace.scans] == expected
 
 
+_SPAN = re.compile(r"([0-9.]+)(ms|s|min)")
+_MS = {"ms": 1, "s": 1_000, "min": 60_000}
+
+
+def milliseconds(word: str) -> int:
+    match = _SPAN.fullmatch(word)
+    assert match, f"a length of time such as 10ms, not {word!r}"
+    return round(float(match[1]) * _MS[match[2]])
+
+
+def check_time(block: Block, program) -> Trace:
+    given = dict(zip(("scan_ms", "until_ms"), map(milliseconds, block.about.split()), strict=False))
+    told = timeline("\n".join(block.rows), program.dialect, **given)
+    assert not told.diagnostics, told.diagnostics
+    return run(program, told.scans(), scan_ms=told.scan_ms)
+
+
+def check_then(block: Block, trace: Trace) -> None:
+    rows = [row.strip() for row in block.rows if row.strip()]
+    said = [row.removeprefix("says ") for row in rows if row.startswith("says ")]
+    assert [f"{one.code} at {one.span.row}" for one in trace.diagnostics] == said
+    courses = [row for row in rows if not row.startswith(("says ", "at most "))]
+    told = timeline("\n".join(courses), trace.program.dialect, until_ms=trace.starts[-1], scan_ms=1)
+    assert not told.diagnostics, told.diagnostics
+    for course in told.rows:
+        got = [int(repr(value)) for value in trace.values(course.address)]
+        wrong = [
+            f"{start} ms: {value}, not {course.at(start)}"
+            for start, value in zip(trace.starts, got, strict=True)
+            if value != course.at(start)
+        ]
+        assert not wrong, f"{course.address}: {wrong[:6]} … {len(wrong)} scans; changes at {trace.edges(course.address)[:60]}"
+    for most, places in (row.removeprefix("at most ").split(" of ") for row in rows if row.startswith("at most ")):
+        on = zip(*(trace[place] for place in places.split()), strict=True)
+        assert max(values.count("1") for values in on) <= int(most)
+
+
 def check_figure(block: Block, _program: object) -> None:
     family, _, words = block.about.partition(" ")
     told = illustration(family, words)
@@ -277,6 +320,7 @@ CHECKS = {
     "stack": check_stack,
     "gives": check_gives,
     "run": check_run,
+    "then": check_then,
     "figure": check_figure,
     "ladder": check_ladder,
     "lint": check_lint,
@@ -287,14 +331,16 @@ CHECKS = {
 
 @pytest.mark.parametrize("case", cases(), ids=lambda case: f"{case.document}: {case.heading}")
 def test_the_book_is_right(case: Case) -> None:
-    program, checked = None, 0
+    program, trace, checked = None, None, 0
     for block in case.blocks:
         if block.kind == "stl":
             program = read("\n".join(block.rows), block.about)
             assert not program.diagnostics, program.diagnostics
             assert read(write(program), block.about) == program
+        elif block.kind == "time":
+            trace = check_time(block, program)
         else:
-            CHECKS[block.kind](block, program)
+            CHECKS[block.kind](block, trace if block.kind == "then" else program)
             checked += 1
     assert checked, "nothing in this case is checked"
 

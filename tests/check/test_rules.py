@@ -45,7 +45,7 @@ def test_every_rule_about_a_text_has_a_sample_or_a_test_of_its_own(code: str) ->
         "RDR015": test_variables_that_never_end,
         "RDR016": test_more_findings_than_anyone_reads,
         "RDR017": test_a_list_of_another_family_is_recognised,
-        "RDR018": test_a_subroutine_is_not_run_as_part_of_the_main_program,
+        "RDR018": test_an_interrupt_program_is_not_run_and_a_subroutine_is_no_part_of_the_main_program,
     }
     assert code in {sample.code for _, sample in SAMPLES} or code in here
 
@@ -70,12 +70,14 @@ def test_more_findings_than_anyone_reads() -> None:
     assert {one.code for one in exactly} == {"RDR006"}
 
 
-def test_a_subroutine_is_not_run_as_part_of_the_main_program() -> None:
-    program = read(
-        "LD I0.0\n= Q0.0\nSUBROUTINE_BLOCK SBR_0:SBR0\nBEGIN\nLD I0.1\n= Q0.1\nEND_SUBROUTINE_BLOCK\n", "s7-200"
-    )
-    assert [line.text for line in program.lines] == ["LD I0.0", "= Q0.0"]
-    assert [(one.code, one.span.row) for one in lint(program)] == [("RDR018", 5)]
+def test_an_interrupt_program_is_not_run_and_a_subroutine_is_no_part_of_the_main_program() -> None:
+    block = "{0}_BLOCK {1}_0:{1}0\nBEGIN\nLD I0.1\n= Q0.1\nEND_{0}_BLOCK\n"
+    interrupt = read("LD I0.0\n= Q0.0\n" + block.format("INTERRUPT", "INT"), "s7-200")
+    assert [line.text for line in interrupt.lines] == ["LD I0.0", "= Q0.0"]
+    assert [(one.code, one.span.row) for one in lint(interrupt)] == [("RDR018", 5)]
+    subroutine = read("LD I0.0\n= Q0.0\n" + block.format("SUBROUTINE", "SBR"), "s7-200")
+    assert [one.block for one in subroutine.networks] == ["", "SBR0"]
+    assert "RDR018" not in {one.code for one in lint(subroutine)}
 
 
 def test_a_list_of_another_family_is_recognised() -> None:
@@ -90,8 +92,14 @@ def test_a_list_of_another_family_is_recognised() -> None:
 
 @pytest.mark.parametrize("code", [code for code in RULES if code[:3] not in {"STK", "COI", "RDR"}])
 def test_every_other_code_stands_in_some_other_test(code: str) -> None:
-    """CHK: check/test_same.py; RUN: machine/test_scan.py; DRW: ladder/test_picture.py."""
-    home = {"CHK": "check/test_same.py", "RUN": "machine/test_scan.py", "DRW": "ladder/test_picture.py"}[code[:3]]
+    home = {
+        "CHK": "check/test_same.py",
+        "DRW": "ladder/test_picture.py",
+        "FIL": "test_contract.py",
+        "RUN": "machine/test_scan.py",
+        "SYM": "stl/test_symbols.py",
+        "TIM": "machine/test_timeline.py",
+    }[code[:3]]
     assert code in (TESTS / home).read_text(encoding="utf-8")
 
 

@@ -168,13 +168,19 @@ def test_a_whole_project_is_read_when_only_its_main_block_says_anything() -> Non
     assert lines(PROJECT.format("", "")) == AND
 
 
-@pytest.mark.parametrize(
-    ("where", "row"), [(("LD I0.5\r\n= Q0.5\r\n", ""), (10, 15)), (("", "LD I0.5\r\n= Q0.5\r\n"), (15, 20))]
-)
-def test_instructions_of_a_subroutine_are_not_the_main_programs(where: tuple[str, str], row: tuple[int, int]) -> None:
-    program = read(PROJECT.format(*where), "s7-200")
+def test_instructions_of_a_subroutine_stand_in_networks_of_their_own() -> None:
+    program = read(PROJECT.format("LD I0.5\r\n= Q0.5\r\n", ""), "s7-200")
+    assert program.diagnostics == ()
+    assert [(one.block, [line.text for line in one.lines]) for one in program.networks] == [
+        ("", AND),
+        ("SBR0", ["LD I0.5", "= Q0.5"]),
+    ]
+
+
+def test_instructions_of_an_interrupt_program_are_not_the_main_programs() -> None:
+    program = read(PROJECT.format("", "LD I0.5\r\n= Q0.5\r\n"), "s7-200")
     assert [line.text for line in program.lines] == AND
-    assert [row[0] <= one.span.row <= row[1] for one in program.diagnostics] == [True]
+    assert [15 <= one.span.row <= 20 for one in program.diagnostics] == [True]
     assert program.diagnostics[0].severity == "error"
 
 
