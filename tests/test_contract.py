@@ -9,6 +9,7 @@ import signal
 import subprocess
 import sys
 import time
+from contextlib import suppress
 from pathlib import Path
 from types import SimpleNamespace
 from xml.etree import ElementTree as ET
@@ -867,23 +868,21 @@ def test_program_lint_of_a_folder_is_left_cleanly_with_ctrl_c(tmp_path) -> None:
     for number in range(3_000):
         (tmp_path / f"{number:04}.stl").write_text(BLOCKS * 20, encoding="utf-8")
     screen, terminal = pty.openpty()
-    code = "from plcteach.cli import script; script()"
-    running = subprocess.Popen(
+    code = "import signal; signal.signal(2, signal.default_int_handler); from plcteach.cli import script; script()"
+    with subprocess.Popen(
         [sys.executable, "-W", "error", "-c", code, "lint", str(tmp_path)],
         cwd=ROOT,
         stdout=subprocess.PIPE,
         stderr=terminal,
         start_new_session=True,
-    )
-    os.close(terminal)
-    shown = os.read(screen, 1_000)
-    running.send_signal(signal.SIGINT)
-    out, _ = running.communicate(timeout=120)
-    try:
-        while more := os.read(screen, 1_000):
-            shown += more
-    except OSError:
-        pass  # the terminal is closed
+    ) as running:
+        os.close(terminal)
+        shown = os.read(screen, 1_000)
+        running.send_signal(signal.SIGINT)
+        with suppress(OSError):  # the terminal is closed
+            while more := os.read(screen, 1_000):
+                shown += more
+        out = running.stdout.read()
     os.close(screen)
     assert (running.returncode, out) == (130, b"")
     assert b"/3000 [" in shown

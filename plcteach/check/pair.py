@@ -5,14 +5,15 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from plcteach.machine.scan import Domain, Memory, sweep
-from plcteach.machine.signals import ONE, ZERO, Column, X
+from plcteach.core.area import Address
+from plcteach.machine.scan import BITS, Memory, sweep
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping
 
     from plcteach.core.program import Program
     from plcteach.machine.rows import Rows
+    from plcteach.machine.signals import Column
     from plcteach.machine.step import Step
 
 MOST_SETTLING_SCANS = 32
@@ -101,7 +102,7 @@ def machine_of(program: Program) -> Machine:
             past.append(("past", number))
             edges_of.update(address.text for address, _ in one.read)
 
-    sweep(program, Memory(), {}, Domain(ZERO, ONE, X), watch)
+    sweep(program, Memory(), {}, BITS, watch)
     dialect = program.dialect
     state: list[Key] = [("bit", address) for address in sorted(writes & reads)]
     if dialect.samples_edges_at_start:
@@ -154,9 +155,11 @@ def pair_of(reference: Program, student: Program, wanted: tuple[str, ...]) -> Pa
     mine, theirs = machine_of(reference), machine_of(student)
     driven = frozenset(reference.dialect.specials)
     written = mine.writes | theirs.writes
-    areas = {
-        address.text: address for program in (reference, student) for line in program.lines for address in line.bits
-    }
+    areas = {address.text: address for program in (reference, student) for address in _bits(program)}
+    for text in mine.writes | theirs.writes:
+        place = reference.dialect.address(text)
+        if isinstance(place, Address) and place.size == 1:
+            areas.setdefault(text, place)
     role = {text: reference.dialect.area(address).role for text, address in areas.items()}
     inputs = {text for text in mine.reads | theirs.reads if role.get(text) == "input"}
     inputs |= {text for text in mine.reads if text not in written | driven}
@@ -171,6 +174,12 @@ def pair_of(reference: Program, student: Program, wanted: tuple[str, ...]) -> Pa
         tuple(sorted(inputs, key=order.__getitem__)),
         tuple(sorted(outputs, key=lambda one: order.get(one, -1))),
     )
+
+
+def _bits(program: Program) -> set[Address]:
+    """Give the bits that a program names, those inside words as well."""
+    named = {place for line in program.lines for place in line.places}
+    return {bit for place in named for bit in program.dialect.bits_of(place)}
 
 
 def _compared(machine: Machine, role: Mapping[str, str]) -> tuple[str, ...]:

@@ -11,6 +11,8 @@ The machine that is animated is the one that grades: a scan is run once over `Co
   of states is a proof ("exhaustive"), a difference is a counterexample with the fewest scans, and running out of budget is
   "unknown". Budgets count states, never seconds, so that a verdict is the same on every machine.
 
+Programs with time or words in them are only tried (check.tried): a difference is shown, and finding none is "unknown".
+
 At the level "settled" a step is not one scan but as many as both programs need to come to rest with the inputs held.
 Edge memories belong to lines, and the two programs need not have the same lines: that is why classes are found, not named.
 """
@@ -21,6 +23,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from plcteach.check.pair import MOST_SETTLING_SCANS, Key, Machine, Pair, either, pair_of
+from plcteach.check.tried import beyond_bits, tried
 from plcteach.core.diagnostic import Diagnostic, rule
 from plcteach.core.source import Span
 from plcteach.core.verdict import Counterexample, Proof, Status, Verdict
@@ -60,10 +63,12 @@ def compare(reference: Program, student: Program, *, outputs: Iterable[str] = ()
 
 def _judged(pair: Pair) -> Verdict:
     reference, student = pair.reference.program, pair.student.program
-    if _instructions(reference) == _instructions(student):
+    if _instructions(reference) == _instructions(student) and reference.settings == student.settings:
         return Verdict("equal", "structural", outputs=dict.fromkeys(pair.outputs, "equal"), diagnostics=_beside(pair))
     if max(len(reference.lines), len(student.lines)) > MOST_INSTRUCTIONS or len(pair.inputs) > MOST_VARIABLES:
         return Verdict("unknown", outputs=dict.fromkeys(pair.outputs, "unknown"), diagnostics=_beside(pair))
+    if beyond_bits(reference) or beyond_bits(student):
+        return tried((reference, student), pair.inputs, pair.outputs, _beside(pair))
     at_first, after = _first_scan(pair)
     agreed = at_first & _induction(pair, after)
     if len(agreed) == len(pair.outputs):

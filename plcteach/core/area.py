@@ -92,6 +92,8 @@ class Area:
 
     def holds(self, index: int) -> bool:
         """Say whether a number lies in the area."""
+        if self.even and index % 2:
+            return False
         return any((self.index(first) or 0) <= index <= (self.index(last) or 0) for first, last in self.ranges)
 
     def address(self, index: int) -> Address:

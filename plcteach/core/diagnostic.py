@@ -507,6 +507,19 @@ _ROWS = (
         ),
     ),
     Rule(
+        "STK013",
+        "after-compound-output",
+        "error",
+        Text(
+            "第{row}行是复合输出指令，{unit}到那里就结束了，后面却还有{word}。把它写进下一个{unit}？",
+            "{word} stands after the compound output in row {row}, with which its {unit} ends. Does it belong in the next {unit}?",
+        ),
+        Text(
+            "复合输出指令读取几路能流而不出栈，它们还留在数据栈上，后面的指令会错用它们。",
+            "A compound output reads several flows and pops none; they stay on the data stack, where what follows would misuse them.",
+        ),
+    ),
+    Rule(
         "CHK003",
         "reacts-later",
         "info",
@@ -546,6 +559,398 @@ _ROWS = (
             "每个正跳变、负跳变都要有自己的记忆位，否则比较的是别人的旧值。",
             "Each edge needs a bit of its own to remember the last flow; shared, it compares with somebody else's.",
         ),
+    ),
+    Rule(
+        "COI003",
+        "master-open",
+        "error",
+        Text(
+            "{word}打开的主控到程序结束也没有{end}。它管到哪里为止？",
+            "The master control that {word} opens has no {end} before the program ends. How far should it reach?",
+        ),
+        Text(
+            "MC和MCR成对：MC之后的触点接在主控的母线上，MCR才回到原来的母线。",
+            "MC and MCR come in pairs: contacts after MC hang on its own rail, and MCR goes back to the one before.",
+        ),
+    ),
+    Rule(
+        "COI004",
+        "master-stray",
+        "error",
+        Text(
+            "{word}前面没有打开着的{begin}。它要结束哪一个主控？",
+            "{word} ends nothing: no {begin} is open before it. Which master control is meant?",
+        ),
+        Text(
+            "MCR结束的是同一编号的MC；没有打开的主控就没有什么可以结束。",
+            "An MCR ends the MC with its own number; where none is open there is nothing to end.",
+        ),
+    ),
+    Rule(
+        "COI005",
+        "master-nesting",
+        "error",
+        Text(
+            "{word}写在{outer}里面，编号却不比它大。嵌套的编号要从N0起由外向里变大，这里该用哪个编号？",
+            "{word} stands inside {outer}, but its number is not larger. Nested numbers grow from N0 inwards; which one belongs here?",
+        ),
+        Text(
+            "主控按编号嵌套：外层N0，里层N1……；MCR N0会把里面的各层一起结束。",
+            "Master controls nest by number, N0 outside, then N1; MCR N0 ends all that are open inside it.",
+        ),
+    ),
+    Rule(
+        "COI006",
+        "master-in-step",
+        "error",
+        Text(
+            "{word}写在步（{step}）里面，那里不能用主控。把条件写进这一步的触点，或者把主控放到步的外面，哪个合适？",
+            "{word} stands inside a step ({step}), where there is no master control. Could its condition be a contact there, or the master stand outside?",
+        ),
+        Text(
+            "步本身就是一段有条件的母线，两种母线不能这样套在一起。",
+            "A step is a rail with a condition already, and the two kinds of rail do not nest this way.",
+        ),
+    ),
+    Rule(
+        "COI007",
+        "branch-after-step",
+        "error",
+        Text(
+            "{word}紧跟在{step}后面：步的触点后面不能直接{word}。中间该先有哪条{load}？",
+            "{word} follows {step} at once, and a step's contact cannot be branched like that. Which {load} should come between?",
+        ),
+        Text(
+            "STL后面先用LD取一个触点，再进栈分支。",
+            "After STL a contact is loaded first; what it gives can then be branched.",
+        ),
+    ),
+    Rule(
+        "COI008",
+        "steps-open",
+        "error",
+        Text(
+            "{word}以后一直没有{end}：后面的电路都算在这一步里。步进程序到哪里为止？",
+            "After {word} there is no {end}, so that everything below belongs to this step. Where do the steps end?",
+        ),
+        Text(
+            "一组步写完要用RET回到原来的母线，否则后面的电路只在最后一步里有能流。",
+            "After the last step RET goes back to the rail; without it, all that follows has power in that step only.",
+        ),
+    ),
+    # TMR: timers by their numbers
+    Rule(
+        "TMR001",
+        "timer-number",
+        "error",
+        Text(
+            "{address}是{title}的编号，{word}用不了它；{word}可以用{fitting}。要用哪一个？",
+            "{address} is the number of a {title}, which {word} cannot drive; {word} takes {fitting}. Which one is meant?",
+        ),
+        Text(
+            "定时器的编号决定它是否有记忆、分辨率是多少，指令要与编号相配。",
+            "A timer's number decides whether it is retentive and what it counts in, and the instruction must go with it.",
+        ),
+    ),
+    Rule(
+        "TMR002",
+        "timer-shared",
+        "error",
+        Text(
+            "{address}在第{row}行已经由{other}驱动，这里又由{word}驱动：同一个编号不能既接通延时又断开延时。换一个编号？",
+            "{address} is driven by {other} in row {row} and by {word} here: one number is either an on-delay or an off-delay. Another number?",
+        ),
+        Text(
+            "一个编号只有一个当前值和一个位；两种定时器用同一个编号，互相改写。",
+            "A number has one current value and one bit; two kinds of timer that share it overwrite each other.",
+        ),
+    ),
+    # BOX: ladder boxes that become two instructions
+    Rule(
+        "BOX001",
+        "box-overwrites-its-operand",
+        "warning",
+        Text(
+            "{word}变成{first}和{then}：第一条已经改写了{address}，第二条再读它时，它不再是原来的值。先把它移到别处？",
+            "{word} becomes {first} and {then}: the first already overwrites {address}, which the second then reads. Move it out of the way first?",
+        ),
+        Text(
+            "功能框分解成两条指令；OUT与IN2占用的字节有重叠，而IN1又不是OUT时，结果不是两数之和。",
+            "A box is split into two instructions; where OUT's bytes overlap IN2's and IN1 is not OUT itself, the result is another one.",
+        ),
+        (27,),
+    ),
+    Rule(
+        "BOX002",
+        "box-needs-a-spare-word",
+        "error",
+        Text(
+            "{word}不能安全地分解：{out}与{address}的字节有重叠，先写哪一个都会丢掉另一个。用一个空闲的字存中间结果？",
+            "{word} cannot be split safely: {out} and {address} share bytes, so whichever is written first spoils the other. A spare word for the result in between?",
+        ),
+        Text(
+            "IN2就是OUT、而运算又不能交换时，或者两者只重叠一部分时，要有一个中间字。",
+            "Where IN2 is OUT and the operation cannot be turned round, or they overlap in part, a word in between is needed.",
+        ),
+        (27,),
+    ),
+    # EXP, CFG, BLK: words in brackets, the configuration of function blocks, and their sections
+    Rule(
+        "EXP001",
+        "bracket-unread",
+        "error",
+        Text("方括号里这里应写{expected}，而不是“{word}”。", "Expected here, inside the brackets: {expected}, not {word}."),
+        Text(
+            "方括号里是一个运算或一个比较，只有一个运算符：[%MW0 := %MW1 + 5]、[%MW0 > 10]。",
+            "Brackets hold one operation or one comparison, with a single operator: [%MW0 := %MW1 + 5], [%MW0 > 10].",
+        ),
+    ),
+    Rule(
+        "CFG001",
+        "configuration-unread",
+        "error",
+        Text("“{word}”不能在这里设置，可以写的有：{expected}", "{word} cannot be configured here; what can: {expected}"),
+        Text(
+            "功能块的类型、时基、预设值等在程序之前设好，例如 %TM0: TYPE=TON TB=1s P=5。",
+            "Type, time base, preset of a block are settled before the program begins, as in %TM0: TYPE=TON TB=1s P=5.",
+        ),
+    ),
+    Rule(
+        "CFG002",
+        "configuration-value",
+        "error",
+        Text("{name}应是{expected}，这里是“{word}”。", "{name} is to be {expected}; here it is {word}."),
+        Text(
+            "每一项设置都有规定的取值；预设值在0到9999之间，时基有五种。",
+            "Each setting has the values it may take: a preset lies between 0 and 9999, and there are five time bases.",
+        ),
+    ),
+    Rule(
+        "CFG003",
+        "drum-rows-uneven",
+        "error",
+        Text(
+            "{block}的第{step}步“{word}”有{size}位，而OUT有{outputs}个输出。每个输出占一位，缺了哪一位？",
+            "Step {step} of {block}, {word}, has {size} control bits, and OUT has {outputs} outputs. Which one is which?",
+        ),
+        Text(
+            "鼓形控制器每一步的控制位和输出一一对应。",
+            "In every step of a drum there is one control bit for each output.",
+        ),
+    ),
+    Rule(
+        "CFG004",
+        "configuration-late",
+        "error",
+        Text(
+            "{block}的设置写在了指令后面。把这一行移到第一个梯级之前。",
+            "{block} is configured below an instruction. Move this line above the first rung.",
+        ),
+        Text(
+            "设置在程序运行之前就生效，和它写在哪个梯级旁边无关，所以都写在最前面。",
+            "A configuration holds before the program runs, wherever it stands, so all of them stand at the beginning.",
+        ),
+    ),
+    Rule(
+        "CFG005",
+        "configured-twice",
+        "error",
+        Text("{word}在第{row}行已经设置过了。该用哪一个？", "{word} has been configured in row {row} already. Which one counts?"),
+        Text("一个功能块只有一组设置。", "A block has one configuration."),
+    ),
+    Rule(
+        "CFG006",
+        "configuration-incomplete",
+        "error",
+        Text("{block}这一行还缺{word}。", "The line of {block} still lacks {word}."),
+        Text(
+            "鼓形控制器既要知道驱动哪些输出（OUT），也要知道每一步各是多少（STEPS）。",
+            "A drum must know which outputs it drives (OUT) and what they are in every step (STEPS).",
+        ),
+    ),
+    Rule(
+        "CFG007",
+        "preset-locked",
+        "error",
+        Text(
+            "{block}设成了ADJ=N，程序不能改写{address}。要让程序改，就把ADJ设为Y。",
+            "{block} is configured with ADJ=N, so the program may not write {address}. Should ADJ be Y?",
+        ),
+        Text(
+            "ADJ说明预设值能不能改：Y可以改，N不可以。",
+            "ADJ says whether the preset may be changed: Y it may, N it may not.",
+        ),
+    ),
+    Rule(
+        "CFG008",
+        "drum-without-steps",
+        "warning",
+        Text(
+            "{block}没有设置步，它什么也不驱动。在程序前面加一行 {block}: OUT=… STEPS=… 好吗？",
+            "{block} has no steps, so it drives nothing. Is a line {block}: OUT=… STEPS=… missing at the beginning?",
+        ),
+        Text(
+            "鼓形控制器的输出不写在梯级里，而写在它的设置里。",
+            "What a drum drives stands in no rung but in its configuration.",
+        ),
+    ),
+    Rule(
+        "BLK001",
+        "block-in-block",
+        "error",
+        Text(
+            "{block}还没有用END_BLK结束，{word}就开始了。先结束前一个好吗？",
+            "{word} begins while {block} is still open. Should an END_BLK stand before it?",
+        ),
+        Text("功能块一个接一个写，不能套在一起。", "Blocks stand one after the other, never inside each other."),
+    ),
+    Rule(
+        "BLK002",
+        "output-before-out-blk",
+        "error",
+        Text(
+            "{block}的输出{word}要写在OUT_BLK后面。这里少了OUT_BLK吗？",
+            "{word} is an output of {block} and is read after OUT_BLK. Is OUT_BLK missing above?",
+        ),
+        Text(
+            "功能块在OUT_BLK处才动作；在那之前它的输出还是上一个扫描周期的。",
+            "A block acts at OUT_BLK; before it, its outputs are still those of the last scan.",
+        ),
+    ),
+    Rule(
+        "BLK003",
+        "no-open-block",
+        "error",
+        Text("{word}前面没有打开的功能块。少了BLK吗？", "No block is open at {word}. Is its BLK missing?"),
+        Text(
+            "BLK打开一个功能块，OUT_BLK转到它的输出，END_BLK结束它。",
+            "BLK opens a block, OUT_BLK turns to its outputs, END_BLK ends it.",
+        ),
+    ),
+    Rule(
+        "BLK004",
+        "no-such-pin",
+        "error",
+        Text("{block}没有叫{word}的端子；它的{what}有：{names}。", "{block} has no {word}; its {what}: {names}."),
+        Text(
+            "每种功能块有自己的输入和输出：定时器是IN和Q，计数器是R、S、CU、CD和E、D、F。",
+            "Each kind of block has its own pins: a timer IN and Q, a counter R, S, CU, CD and E, D, F.",
+        ),
+    ),
+    Rule(
+        "BLK005",
+        "input-after-out-blk",
+        "error",
+        Text(
+            "{word}来晚了：{block}在OUT_BLK处已经动作。把它移到OUT_BLK之前。",
+            "{word} comes too late: {block} has acted at OUT_BLK. Move it above OUT_BLK.",
+        ),
+        Text("输入在OUT_BLK之前，输出在它之后。", "Inputs stand before OUT_BLK, outputs after it."),
+    ),
+    Rule(
+        "BLK006",
+        "not-inside-block",
+        "error",
+        Text(
+            "{word}不能写在{block}的BLK和END_BLK之间。移到END_BLK后面好吗？",
+            "{word} does not belong between BLK and END_BLK of {block}. Should it stand after END_BLK?",
+        ),
+        Text(
+            "BLK和END_BLK之间只有这个功能块的输入和输出；跳进跳出会让它只动作一半。",
+            "Between BLK and END_BLK stand the inputs and outputs of this block alone; a jump would let it act by half.",
+        ),
+    ),
+    Rule(
+        "BLK007",
+        "end-blk-missing",
+        "error",
+        Text("{block}的BLK没有用END_BLK结束。它到哪里为止？", "The BLK of {block} has no END_BLK. Where does it end?"),
+        Text("没有END_BLK，后面的R、S等都会被当成这个功能块的输入。", "Without END_BLK an R or S below would be taken for its input."),
+    ),
+    Rule(
+        "BLK008",
+        "pin-of-no-block",
+        "error",
+        Text(
+            "{word}是功能块的输入，可这里没有打开的功能块。写成 {word} %…，还是放到BLK里？",
+            "{word} is the input of a block, and no block is open here. Name the block behind it, or put it between BLK and END_BLK?",
+        ),
+        Text(
+            "只有在BLK和END_BLK之间，输入的名字才能单独写。",
+            "Only between BLK and END_BLK can the name of an input stand alone.",
+        ),
+    ),
+    Rule(
+        "BLK009",
+        "shifts-only-zeros",
+        "warning",
+        Text(
+            "{block}只移位，却没有一行写入它：移来移去都是0。第一个1从哪里来？",
+            "{block} is shifted, but no line ever writes to it: it moves nothing but zeros. Where does the first 1 come from?",
+        ),
+        Text(
+            "移位寄存器不会自己装入数据；使用前要用ST或S写入它的某一位。",
+            "A shift register does not fill itself; ST or S must put something into one of its bits.",
+        ),
+        (28,),
+    ),
+    # JMP: where a program goes on
+    Rule(
+        "JMP001",
+        "no-such-place",
+        "error",
+        Text("{word}要去{name}，可程序里没有{name}。", "{word} goes to {name}, and there is no {name} in this program. Where should it go?"),
+        Text(
+            "跳转要有标号，调用要有子程序。",
+            "A jump needs its label, a call its subroutine.",
+        ),
+    ),
+    Rule(
+        "JMP002",
+        "place-twice",
+        "error",
+        Text("{name}在第{row}行已经有了。跳转该去哪一个？", "{name} stands in row {row} already. Which of the two is meant?"),
+        Text("同一个标号只能出现一次。", "A label stands only once."),
+    ),
+    Rule(
+        "JMP003",
+        "subroutine-before-end",
+        "error",
+        Text(
+            "{name}写在主程序结束之前，主程序会走进子程序里。在它前面加{end}好吗？",
+            "{name} stands before the end of the main program, which would run into it. Should {end} stand above it?",
+        ),
+        Text("子程序写在主程序结束之后，只有调用才能进入。", "Subroutines stand after the end of the main program, and only a call enters them."),
+    ),
+    Rule(
+        "JMP004",
+        "jump-inside-branch",
+        "error",
+        Text(
+            "{word}写在{push}和{pop}之间：跳走以后分支点就留在栈里了。先写完分支好吗？",
+            "{word} stands between {push} and {pop}: after the jump the branch point would be left over. Should the branch end first?",
+        ),
+        Text("跳转和标号不能写在分支当中。", "Jumps and labels do not stand inside a branch."),
+    ),
+    Rule(
+        "JMP005",
+        "loop-unpaired",
+        "error",
+        Text("{word}：{what}。另一半该写在哪里？", "{word}: {what}. Where should its other half stand?"),
+        Text(
+            "循环开始和循环结束成对出现，在同一个程序块里。",
+            "The beginning and the end of a loop come in pairs, in one routine.",
+        ),
+    ),
+    Rule(
+        "JMP006",
+        "loops-too-deep",
+        "error",
+        Text(
+            "{word}是第{depth}层循环，最多嵌套{most}层。能把里面的几层写进子程序吗？",
+            "{word} is a loop at depth {depth}, and {most} may stand within each other. Could the inner ones go into a subroutine?",
+        ),
+        Text("CPU能记住的循环层数是有限的。", "The CPU keeps track of only so many loops at once."),
     ),
     # RUN: only the values can tell
     Rule(

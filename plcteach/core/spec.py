@@ -229,6 +229,7 @@ class Dialect:
     retentive: for each area the first and last number that outlive a warm start.  constant: the letters before a number
     and its base ("K": 10, "H": 16).
     boxes: ladder boxes that the list has no instruction for, with the two instructions that they become.
+    compound_ends: nothing may follow an output of several flows in its network (GUTTA).
     residue: how bad a leftover at the end of a network is; a warning where the CPU itself does not mind.
     examples: small programs that together use every instruction; a card shows the first one that uses its own.
     """
@@ -261,6 +262,7 @@ class Dialect:
     retentive: Mapping[str, tuple[tuple[int, int], ...]] = field(default_factory=dict)
     constant: Mapping[str, int] = field(default_factory=lambda: {"": 10, "16#": 16, "2#": 2})
     boxes: Mapping[str, tuple[str, str]] = field(default_factory=dict)
+    compound_ends: bool = False
 
     def __post_init__(self) -> None:
         """Refuse a table that contradicts itself."""

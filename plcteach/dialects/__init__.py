@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from plcteach.core.errors import UnknownNameError
+from plcteach.core.effect import Name
+from plcteach.core.errors import DeclarationError, UnknownNameError
 from plcteach.dialects.fx import FX
 from plcteach.dialects.gutta import GUTTA
 from plcteach.dialects.neza import NEZA
 from plcteach.dialects.s7200 import S7_200, S7_200_SMART
 
 if TYPE_CHECKING:
-    from plcteach.core.spec import Dialect
+    from plcteach.core.spec import Dialect, Insn
 
 _ALL = {one.name: one for one in (S7_200, S7_200_SMART, FX, NEZA, GUTTA)}
 
@@ -35,3 +37,34 @@ def dialect(name: str | Dialect) -> Dialect:
     except KeyError:
         kind = "dialect"
         raise UnknownNameError(kind, name, _ALL) from None
+
+
+def extended(family: str | Dialect, *rows: Insn) -> Dialect:
+    """Give a family with further instructions, such as a block that a user has built; DeclarationError says what cannot be.
+
+    An instruction that makes a flow of flows (an input, a compound input) writes nothing: only an output may.
+    """
+    base = dialect(family)
+    for row in rows:
+        if row.then and not _is_output(row):
+            writes = ", ".join(sorted({verb.target or verb.name for verb in row.then}))
+            msg = (
+                f"{row.mnemonic} makes a flow ({row.effect.text}), so it is an input, and an input only reads: "
+                f"its operands may not be written, and {writes} is. Give the flows back as they are to make it an output."
+            )
+            raise DeclarationError(msg)
+    new = {row.mnemonic for row in rows}
+    return replace(
+        base,
+        name="+".join((base.name, *sorted(new))),
+        insns=(*base.insns, *rows),
+        recognised=base.recognised - new,
+    )
+
+
+def _is_output(row: Insn) -> bool:
+    """Say whether an instruction leaves every stack as it found it."""
+    return all(
+        [give.formula for give in clause.gives] == [Name(take.name) for take in clause.takes]
+        for clause in row.effect.clauses
+    )

@@ -5,10 +5,16 @@ Source: 004_076ff6df1b5a98bb.txt. Depths of 32 and the clearing of both stacks a
 
 from __future__ import annotations
 
-from plcteach.core.area import Area, kind
-from plcteach.core.spec import Dialect, Sample, Stack, insn
+from plcteach.core.area import Area, blocks, kind, words
+from plcteach.core.block import Bank, Block
+from plcteach.core.spec import RELATIONS, Dialect, Sample, Stack, compares, insn
 from plcteach.core.text import Text
-from plcteach.core.verb import coil, reset, set_
+from plcteach.core.verb import coil, drive, reset, set_, work
+
+_BYTES = {"B": 8, "W": 16, "D": 32}
+_IN_BYTES = "I Q M SM V"
+_WHOLE = (("B", "byte", "字节", "byte"), ("W", "word", "字", "word"), ("D", "dword", "双字", "double word"))
+_SUMS = (("+", "add", "加", "add"), ("-", "sub", "减", "subtract"), ("*", "mul", "乘", "multiply"), ("/", "div", "除", "divide"))
 
 INSTRUCTIONS = (
     # input instructions
@@ -73,7 +79,30 @@ INSTRUCTIONS = (
     insn("=", "out", "a -- a", then=coil("a"), zh="线圈输出", en="output coil"),
     insn("S", "out N:1..255", "a -- a", then=set_("a", "N"), zh="置位N个位", en="set N bits"),
     insn("R", "out N:1..255", "a -- a", then=reset("a", "N"), zh="复位N个位", en="reset N bits"),
-)
+    insn("TON", "T:ton PT:preset", "IN -- IN", then=drive("on", "T", "IN=IN", "PT"), zh="接通延时定时器", en="on-delay timer"),
+    insn("TONR", "T:tonr PT:preset", "IN -- IN", then=drive("retentive", "T", "IN=IN", "PT"), zh="有记忆接通延时定时器", en="retentive on-delay timer"),
+    insn("TOF", "T:ton PT:preset", "IN -- IN", then=drive("off", "T", "IN=IN", "PT"), zh="断开延时定时器", en="off-delay timer"),
+    *(
+        insn(f"MOV{letter}", f"IN:{size} OUT:{size}_out", "a -- a", then=work("move", "IN", "OUT"), zh=f"{zh}传送", en=f"move {en}")
+        for letter, size, zh, en in _WHOLE
+    ),
+    *(
+        insn(f"{sign}I", "IN:word OUT:word_out", "a -- a", then=work(op, "OUT IN", "OUT"), zh=f"整数{zh}", en=f"{en} integer")
+        for sign, op, zh, en in _SUMS
+    ),
+    # compound output instructions: they read several flows and pop none
+    insn("CTU", "C:counter PV:preset", "CU R -- CU R", then=drive("up", "C", "CU=CU R=R", "PV"), zh="增计数器", en="up counter"),
+    insn("CTD", "C:counter PV:preset", "CD LD -- CD LD", then=drive("down", "C", "CD=CD LD=LD", "PV"), zh="减计数器", en="down counter"),
+    insn(
+        "CTUD", "C:counter PV:preset", "CU CD R -- CU CD R", then=drive("updown", "C", "CU=CU CD=CD R=R", "PV"),
+        zh="增减计数器", en="up-down counter",
+    ),
+    # two words compared read as a bit, so these are inputs, alone or fused with a join
+    *compares(
+        {"LD": "-- cmp", "A": "a -- a&cmp", "O": "a -- a|cmp"}, {"B": "byte", "W": "word", "D": "dword"},
+        zh="比较触点", en="comparing contact",
+    ),
+)  # fmt: skip
 
 GUTTA = Dialect(
     name="gutta",
@@ -85,18 +114,28 @@ GUTTA = Dialect(
         Stack("aux", Text("辅助栈", "auxiliary stack"), depth=32),
     ),
     areas=(
-        Area("I", (("0.0", "15.7"),), Text("输入", "inputs"), per=8, role="input"),
-        Area("Q", (("0.0", "15.7"),), Text("输出", "outputs"), per=8, role="output"),
-        Area("M", (("0.0", "31.7"),), Text("位存储器", "bit memory"), per=8),
-        Area("SM", (("0.0", "179.7"),), Text("特殊存储器位", "special memory bits"), per=8),
-        Area("V", (("0.0", "2047.7"),), Text("变量存储器", "variable memory"), per=8),
-        Area("T", (("0", "255"),), Text("定时器位", "timer bits")),
-        Area("C", (("0", "255"),), Text("计数器位", "counter bits")),
+        Area("I", (("0.0", "15.7"),), Text("输入", "inputs"), per=8, words=_BYTES, role="input"),
+        Area("Q", (("0.0", "15.7"),), Text("输出", "outputs"), per=8, words=_BYTES, role="output"),
+        Area("M", (("0.0", "31.7"),), Text("位存储器", "bit memory"), per=8, words=_BYTES),
+        Area("SM", (("0.0", "179.7"),), Text("特殊存储器位", "special memory bits"), per=8, words=_BYTES),
+        Area("V", (("0.0", "2047.7"),), Text("变量存储器", "variable memory"), per=8, words=_BYTES),
+        Area("T", (("0", "255"),), Text("定时器", "timers"), fields={"V": 16}, value="V"),
+        Area("C", (("0", "255"),), Text("计数器", "counters"), fields={"V": 16}, value="V"),
     ),
     kinds={
         "bit": kind("I Q M SM V T C", zh="位地址，如I0.0", en="a bit address such as I0.0"),
         "out": kind("Q M V T C", zh="可写的位，如Q0.0", en="a bit that can be written, such as Q0.0"),
         "m": kind("M V Q", zh="记录上次能流的位，如M0.0", en="a bit that keeps the last flow, such as M0.0"),
+        "ton": blocks("T", zh="定时器，如T37", en="a timer such as T37"),
+        "tonr": blocks("T", zh="定时器，如T5", en="a timer such as T5"),
+        "counter": blocks("C", zh="计数器，如C0", en="a counter such as C0"),
+        "preset": words(f"{_IN_BYTES} T C", 16, ends=(0, 32767), zh="预设值：0到32767，或一个字，如MW0", en="a preset: 0 to 32767, or a word such as MW0"),
+        "byte": words(_IN_BYTES, 8, signed=False, zh="字节或0到255的数，如MB0", en="a byte or a number 0 to 255, such as MB0"),
+        "word": words(f"{_IN_BYTES} T C", 16, zh="字或整数，如MW0", en="a word or a whole number, such as MW0"),
+        "dword": words(_IN_BYTES, 32, zh="双字或整数，如MD0", en="a double word or a whole number, such as MD0"),
+        "byte_out": words("Q M V", 8, constant=False, signed=False, zh="可写的字节，如MB0", en="a byte that can be written, such as MB0"),
+        "word_out": words("Q M V T C", 16, constant=False, zh="可写的字，如MW0", en="a word that can be written, such as MW0"),
+        "dword_out": words("Q M V", 32, constant=False, zh="可写的双字，如MD0", en="a double word that can be written, such as MD0"),
     },
     insns=INSTRUCTIONS,
     roles={
@@ -104,8 +143,22 @@ GUTTA = Dialect(
         "join_series": "ALD", "join_parallel": "OLD", "push": "LPS", "read": "LRD", "pop": "LPP",
         "invert": "NOT", "coil": "=", "set": "S", "reset": "R", "rise": "P", "fall": "N",
     },
-    recognised=frozenset("CTUD CTU CTD TON TOF TONR MOVW MOVB MOVD +I -I *I /I LDW= LDW> LDW< ADD_I".split()),
-    specials={"SM0.0": "on", "SM0.1": "first"},
+    compound_ends=True,  # what a compound output read stays on the data stack, where a further line would misuse it [rec]
+    boxes={"ADD_I": ("MOVW", "+I"), "SUB_I": ("MOVW", "-I"), "MUL_I": ("MOVW", "*I"), "DIV_I": ("MOVW", "/I")},
+    blocks=(
+        Block(
+            "T", "timer", Text("定时器", "timer"), ("IN", "PT"), most=32767,
+            banks=(
+                Bank(0, 0, 1, "always", retains=True), Bank(64, 64, 1, "always", retains=True),
+                Bank(1, 4, 10, "scan", retains=True), Bank(65, 68, 10, "scan", retains=True),
+                Bank(5, 31, 100, retains=True), Bank(69, 95, 100, retains=True), Bank(32, 32, 1, "always"), Bank(96, 96, 1, "always"),
+                Bank(33, 36, 10, "scan"), Bank(97, 100, 10, "scan"), Bank(37, 63, 100), Bank(101, 255, 100),
+            ),
+        ),
+        Block("C", "counter", Text("计数器", "counter"), ("CU", "CD", "R", "LD", "PV"), most=32767),
+    ),
+    flags={"zero": "SM1.0", "overflow": "SM1.1", "negative": "SM1.2", "divide": "SM1.3"},
+    specials={"SM0.0": "on", "SM0.1": "first", "SM0.4": "60000", "SM0.5": "1000", "SM0.6": "turns"},
     examples=(
         "LD I0.0; O Q0.0; AN I0.1; = Q0.0",
         "LD I0.0; A I0.1; LDN I0.2; A I0.3; OLD; = Q0.0",
@@ -113,8 +166,25 @@ GUTTA = Dialect(
         "LD I0.0; LPS; A I0.1; = Q0.0; LRD; A I0.2; = Q0.1; LPP; A I0.3; = Q0.2",
         "LD I0.0; P M0.0; S Q0.0, 1; LD I0.1; N M0.1; R Q0.0, 1",
         "LD I0.0; LPS; NOT; LD SM0.0; LPP; A I0.1; OLD; = Q0.0",
+        "LD I0.0; TON T37, 10; LD T37; = Q0.0",
+        "LD I0.0; TONR T5, 100; LD T5; = Q0.0",
+        "LD I0.0; TOF T38, 5; LD T38; = Q0.0",
+        "LD I0.0; LD I0.1; CTU C0, 3",
+        "LD I0.0; LD I0.1; CTD C1, 3",
+        "LD I0.0; LD I0.1; LD I0.2; CTUD C2, 3",
+        "LD I0.0; MOVW MW0, MW4; +I MW2, MW4",
+        "LD I0.0; MOVB 5, MB0; MOVD 100000, MD4",
+        *(f"LD I0.0; {sign}I MW0, MW4" for sign in "-*/"),
+        *(
+            f"LD{letter}{sign} {left}, {right}; O{letter}{sign} {right}, {left}; A{letter}{sign} {left}, {other}; = Q0.0"
+            for letter, left, right, other in (("B", "MB0", "5", "MB1"), ("W", "MW0", "100", "MW2"), ("D", "MD0", "100000", "MD4"))
+            for sign in RELATIONS
+        ),
     ),
     samples=(
+        Sample("TMR001", "LD I0.0; TONR T37, 10", "LD I0.0; TON T37, 10"),
+        Sample("STK013", "LD I0.0; LD I0.1; CTU C0, 3; LD C0; = Q0.0", "Network 1\nLD I0.0; LD I0.1; CTU C0, 3\nNetwork 2\nLD C0; = Q0.0"),
+        Sample("BOX001", "LD I0.0; ADD_I 1000, MW4, MW4", "LD I0.0; ADD_I MW4, 1000, MW4"),
         Sample("COI002", "LD I0.0; P M0.0; = Q0.0; LD I0.1; = M0.0", "LD I0.0; P M0.1; = Q0.0; LD I0.1; = M0.0"),
         Sample("COI001", "LD I0.0; = Q0.0; LD I0.1; = Q0.0", "LD I0.0; O I0.1; = Q0.0"),
         Sample("STK001", "LD I0.0; LPS; ALD; = Q0.0", "LD I0.0; LD I0.1; O I0.2; ALD; = Q0.0"),

@@ -9,12 +9,15 @@ from dataclasses import replace
 
 from plcteach.core.area import Area, blocks, kind, words
 from plcteach.core.block import Bank, Block
-from plcteach.core.spec import Dialect, Sample, Stack, compares, insn
+from plcteach.core.spec import RELATIONS, Dialect, Sample, Stack, compares, insn
 from plcteach.core.text import Text
 from plcteach.core.verb import END, coil, drive, go, reset, set_, shift, work
 
 _BYTES = {"B": 8, "W": 16, "D": 32}
 _IN_BYTES = "I Q M SM V S L AC"
+_WHOLE = (("B", "byte", "字节", "byte"), ("W", "word", "字", "word"), ("D", "dword", "双字", "double word"))
+_REAL = ("R", "real", "实数", "real")
+_SUMS = (("+", "add", "加", "add"), ("-", "sub", "减", "subtract"), ("*", "mul", "乘", "multiply"), ("/", "div", "除", "divide"))
 
 INSTRUCTIONS = (
     # contacts
@@ -74,15 +77,52 @@ INSTRUCTIONS = (
         {"LD": "-- cmp", "A": "a -- a&cmp", "O": "a -- a|cmp"}, {"B": "byte", "W": "word", "D": "dword", "R": "real"},
         zh="比较触点", en="comparing contact",
     ),
-    # words
+    # words; what they do to the flags stands with their rules
     insn("SHRB", "DATA:bit S_BIT:out N:-64..64", "a -- a", then=shift("row", "DATA N", "S_BIT"), zh="移位寄存器", en="shift register bit"),
-    insn("MOVB", "IN:byte OUT:byte_out", "a -- a", then=work("move", "IN", "OUT"), zh="字节传送", en="move byte"),
-    insn("MOVW", "IN:word OUT:word_out", "a -- a", then=work("move", "IN", "OUT"), zh="字传送", en="move word"),
-    insn("MOVD", "IN:dword OUT:dword_out", "a -- a", then=work("move", "IN", "OUT"), zh="双字传送", en="move double word"),
-    insn("MOVR", "IN:real OUT:real_out", "a -- a", then=work("move", "IN", "OUT"), zh="实数传送", en="move real"),
-    insn("+I", "IN:word OUT:word_out", "a -- a", then=work("add", "OUT IN", "OUT"), zh="整数加", en="add integer"),
-    insn("-I", "IN:word OUT:word_out", "a -- a", then=work("sub", "OUT IN", "OUT"), zh="整数减", en="subtract integer"),
-    insn("INCW", "OUT:word_out", "a -- a", then=work("inc", "OUT", "OUT"), zh="字加一", en="increment word"),
+    *(
+        insn(f"MOV{letter}", f"IN:{size} OUT:{size}_out", "a -- a", then=work("move", "IN", "OUT"), zh=f"{zh}传送", en=f"move {en}")
+        for letter, size, zh, en in (*_WHOLE, _REAL)
+    ),
+    *(
+        insn(f"{sign}I", "IN:word OUT:word_out", "a -- a", then=work(op, "OUT IN", "OUT"), zh=f"整数{zh}", en=f"{en} integer")
+        for sign, op, zh, en in _SUMS
+    ),
+    *(
+        insn(f"{sign}D", "IN:dword OUT:dword_out", "a -- a", then=work(op, "OUT IN", "OUT"), zh=f"双整数{zh}", en=f"{en} double integer")
+        for sign, op, zh, en in _SUMS
+    ),
+    *(
+        insn(f"{sign}R", "IN:real OUT:real_out", "a -- a", then=work(f"r{op}", "OUT IN", "OUT"), zh=f"实数{zh}", en=f"{en} real")
+        for sign, op, zh, en in _SUMS
+    ),
+    insn("MUL", "IN:word OUT:dword_out", "a -- a", then=work("mul16", "OUT IN", "OUT"), zh="整数相乘得双整数", en="multiply two integers into a double integer"),
+    insn("DIV", "IN:word OUT:dword_out", "a -- a", then=work("divmod", "OUT IN", "OUT"), zh="整数相除得商和余数", en="divide two integers into remainder and quotient"),
+    insn("SQRT", "IN:real OUT:real_out", "a -- a", then=work("rsqrt", "IN", "OUT"), zh="实数平方根", en="square root of a real"),
+    *(
+        insn(f"{word}{letter}", f"OUT:{size}_out", "a -- a", then=work(op, "OUT", "OUT"), zh=f"{zh}{does}", en=f"{verb} {en}")
+        for word, op, does, verb in (("INC", "inc", "加一", "increment"), ("DEC", "dec", "减一", "decrement"), ("INV", "not", "按位取反", "invert the bits of a"))
+        for letter, size, zh, en in _WHOLE
+    ),
+    *(
+        insn(f"{word}{letter}", f"IN:{size} OUT:{size}_out", "a -- a", then=work(op, "OUT IN", "OUT"), zh=f"{zh}按位{does}", en=f"{word.lower()} {en}s bit by bit")
+        for word, op, does in (("AND", "and", "与"), ("OR", "or", "或"), ("XOR", "xor", "异或"))
+        for letter, size, zh, en in _WHOLE
+    ),
+    *(
+        insn(f"{word}{letter}", f"OUT:{size}_out N:byte", "a -- a", then=work(f"{op}{bits}", "OUT N", "OUT"), zh=f"{zh}{does}", en=f"{verb} {en}")
+        for word, op, does, verb in (
+            ("SL", "shl", "左移", "shift left a"), ("SR", "shr", "右移", "shift right a"),
+            ("RL", "rol", "循环左移", "rotate left a"), ("RR", "ror", "循环右移", "rotate right a"),
+        )
+        for (letter, size, zh, en), bits in zip(_WHOLE, (8, 16, 32), strict=True)
+    ),
+    insn("BTI", "IN:byte OUT:word_out", "a -- a", then=work("move", "IN", "OUT"), zh="字节转整数", en="byte to integer"),
+    insn("ITB", "IN:word OUT:byte_out", "a -- a", then=work("fit", "IN", "OUT"), zh="整数转字节", en="integer to byte"),
+    insn("ITD", "IN:word OUT:dword_out", "a -- a", then=work("move", "IN", "OUT"), zh="整数转双整数", en="integer to double integer"),
+    insn("DTI", "IN:dword OUT:word_out", "a -- a", then=work("fit", "IN", "OUT"), zh="双整数转整数", en="double integer to integer"),
+    insn("DTR", "IN:dword OUT:real_out", "a -- a", then=work("to_real", "IN", "OUT"), zh="双整数转实数", en="double integer to real"),
+    insn("ROUND", "IN:real OUT:dword_out", "a -- a", then=work("round", "IN", "OUT"), zh="实数四舍五入成双整数", en="round a real to a double integer"),
+    insn("TRUNC", "IN:real OUT:dword_out", "a -- a", then=work("trunc", "IN", "OUT"), zh="实数去掉小数成双整数", en="cut a real off to a double integer"),
     # where the program goes on
     insn("JMP", "n:0..255", "a -- a", then=go("jump", "a", "n"), zh="跳转", en="jump to a label"),
     insn("LBL", "n:0..255", "--", then=go("label", "", "n"), zh="标号", en="label"),
@@ -130,7 +170,7 @@ S7_200 = Dialect(
         "ton": blocks("T", zh="定时器，如T37", en="a timer such as T37"),
         "tonr": blocks("T", zh="定时器，如T5", en="a timer such as T5"),
         "counter": blocks("C", zh="计数器，如C0", en="a counter such as C0"),
-        "preset": words(f"{_IN_BYTES} T C AIW", 16, zh="预设值：0到32767，或一个字，如VW100", en="a preset: 0 to 32767, or a word such as VW100"),
+        "preset": words(f"{_IN_BYTES} T C AIW", 16, ends=(0, 32767), zh="预设值：0到32767，或一个字，如VW100", en="a preset: 0 to 32767, or a word such as VW100"),
         "byte": words(_IN_BYTES, 8, signed=False, zh="字节或0到255的数，如VB100", en="a byte or a number 0 to 255, such as VB100"),
         "word": words(f"{_IN_BYTES} T C AIW", 16, zh="字或整数，如VW100", en="a word or a whole number, such as VW100"),
         "dword": words(_IN_BYTES, 32, zh="双字或整数，如VD100", en="a double word or a whole number, such as VD100"),
@@ -151,26 +191,24 @@ S7_200 = Dialect(
     aliases={"U": "A", "UN": "AN", "UI": "AI", "UNI": "ANI", "ULD": "ALD"},
     letters={"E": "I", "A": "Q"},
     recognised=frozenset(
-        "BMB BMW BMD SWAP BIR BIW BTI ITB ITD DTI DTR ROUND TRUNC "
-        "ITA DTA RTA ATH HTA DECO ENCO SEG BCDI IBCD *I /I +D -D *D /D +R -R *R /R MUL DIV SQRT SIN COS TAN LN EXP "
-        "INCB INCD DECB DECW DECD ANDB ANDW ANDD ORB ORW ORD XORB XORW XORD INVB INVW INVD SLB SLW SLD SRB SRW SRD "
-        "RLB RLW RLD RRB RRW RRD FILL ATT FIFO LIFO FND= FND< FND> FND<> WDR DLED "
-        "ENI DISI ATCH DTCH CRETI RETI CEVNT XMT RCV NETR NETW GPA SPA HDEF HSC PLS PID TODR "
-        "TODW TODRX TODWX LDS= AS= OS= LDS<> AS<> OS<>".split()
+        "BMB BMW BMD SWAP BIR BIW ITA DTA RTA ATH HTA ITS DTS RTS STI STD STR SLEN SCPY SSCPY SCAT SFND CFND DECO ENCO SEG BCDI "
+        "IBCD SIN COS TAN LN EXP FILL ATT FIFO LIFO FND= FND< FND> FND<> WDR DLED BITIM CITIM ENI DISI ATCH DTCH CRETI RETI CEVNT "
+        "XMT RCV NETR NETW GPA SPA HDEF HSC PLS PID TODR TODW TODRX TODWX LDS= AS= OS= LDS<> AS<> OS<>".split()
     ),
     blocks=(
         Block(
             "T", "timer", Text("定时器", "timer"), ("IN", "PT"), most=32767,
             banks=(
-                Bank(0, 0, 1, "always"), Bank(64, 64, 1, "always"), Bank(1, 4, 10, "scan"), Bank(65, 68, 10, "scan"),
-                Bank(5, 31, 100), Bank(69, 95, 100), Bank(32, 32, 1, "always"), Bank(96, 96, 1, "always"),
+                Bank(0, 0, 1, "always", retains=True), Bank(64, 64, 1, "always", retains=True),
+                Bank(1, 4, 10, "scan", retains=True), Bank(65, 68, 10, "scan", retains=True),
+                Bank(5, 31, 100, retains=True), Bank(69, 95, 100, retains=True), Bank(32, 32, 1, "always"), Bank(96, 96, 1, "always"),
                 Bank(33, 36, 10, "scan"), Bank(97, 100, 10, "scan"), Bank(37, 63, 100), Bank(101, 255, 100),
             ),
         ),
         Block("C", "counter", Text("计数器", "counter"), ("CU", "CD", "R", "LD", "PV"), most=32767),
     ),
     flags={"zero": "SM1.0", "overflow": "SM1.1", "negative": "SM1.2", "divide": "SM1.3"},
-    retentive={"V": ((0, 40959),), "M": ((112, 255),), "T": ((0, 31), (64, 95)), "C": ((0, 255),)},
+    retentive={"V": ((0, 81919),), "M": ((112, 255),), "T": ((0, 31), (64, 95)), "C": ((0, 255),)},
     specials={
         "SM0.0": "on", "SM0.1": "first", "SM0.2": "cold", "SM0.3": "first", "SM0.4": "60000", "SM0.5": "1000", "SM0.6": "turns",
     },
@@ -184,6 +222,41 @@ S7_200 = Dialect(
         "LDI I0.0; AI I0.1; OI I0.2; =I Q0.0",
         "LDNI I0.0; ANI I0.1; ONI I0.2; SI Q0.0, 1",
         "LD I0.0; NOP 0; RI Q0.0, 1",
+        "LD I0.0; TON T37, 10; LD T37; = Q0.0",
+        "LD I0.0; TONR T5, 100; LD I0.1; R T5, 1; LD T5; = Q0.0",
+        "LD I0.0; TOF T38, 5; LD T38; = Q0.0",
+        "LD I0.0; LD I0.1; CTU C0, 3; LD C0; = Q0.0",
+        "LD I0.0; LD I0.1; CTD C1, 3; LD C1; = Q0.0",
+        "LD I0.0; LD I0.1; LD I0.2; CTUD C2, 3; LD C2; = Q0.0",
+        "LD I0.0; EU; SHRB I0.1, V100.0, 4; LD V100.3; = Q0.0",
+        "LD I0.0; MOVW VW0, VW2; AENO; +I VW4, VW2; AENO; = Q0.0",
+        *(
+            f"LD{letter}{sign} {left}, {right}; O{letter}{sign} {right}, {left}; A{letter}{sign} {left}, {other}; = Q0.0"
+            for letter, left, right, other in (("B", "VB0", "5", "VB1"), ("W", "VW0", "+100", "VW2"), ("D", "VD0", "+100000", "VD4"), ("R", "VD0", "1.5", "VD4"))
+            for sign in RELATIONS
+        ),
+        *(f"LD I0.0; MOV{letter} {first}, {place}" for letter, first, place in (("B", "5", "VB0"), ("D", "100000", "VD0"), ("R", "1.5", "VD0"))),
+        *(
+            f"LD I0.0; {sign}{letter} {first}, {place}; AENO; = Q0.0"
+            for letter, first, place in (("I", "VW0", "VW2"), ("D", "VD0", "VD4"), ("R", "1.5", "VD4"))
+            for sign in "+-*/"
+        ),
+        "LD I0.0; MUL VW0, VD4",
+        "LD I0.0; DIV VW0, VD4",
+        "LD I0.0; SQRT VD0, VD4",
+        *(f"LD I0.0; EU; {word}{letter} V{letter}0" for word in ("INC", "DEC", "INV") for letter in "BWD"),
+        *(f"LD I0.0; {word}{letter} V{letter}0, V{letter}4" for word in ("AND", "OR", "XOR") for letter in "BWD"),
+        *(f"LD I0.0; EU; {word}{letter} V{letter}0, 2" for word in ("SL", "SR", "RL", "RR") for letter in "BWD"),
+        "LD I0.0; BTI VB0, VW2; ITD VW2, VD4; DTR VD4, VD8",
+        "LD I0.0; ROUND VD0, VD4; DTI VD4, VW8; ITB VW8, VB10",
+        "LD I0.0; TRUNC VD0, VD4",
+        "LD I0.0; JMP 1; LD I0.1; = Q0.0; LBL 1",
+        "LD SM0.0; FOR VW0, 1, 5; LD SM0.0; INCW VW2; NEXT",
+        "LD I0.0; CALL SBR0; = Q0.0\nSUBROUTINE_BLOCK SBR_0:SBR0\nLD I0.1; = Q0.1\nEND_SUBROUTINE_BLOCK",
+        "LD I0.0; CRET; LD I0.1; = Q0.0; RET",
+        "LD I0.0; END; LD I0.1; = Q0.0; MEND",
+        "LD I0.0; STOP",
+        "LSCR S0.1; LD SM0.0; = Q0.0; LD I0.0; SCRT S0.2; LD I0.1; CSCRE; LD I0.2; = Q0.1; SCRE",
     ),
     samples=(
         Sample("COI001", "LD I0.0; = Q0.0; LD I0.1; = Q0.0", "LD I0.0; O I0.1; = Q0.0"),
@@ -205,6 +278,14 @@ S7_200 = Dialect(
         Sample("STK008", "LD I0.0; LD I0.1; ALD; = Q0.0", "LD I0.0; A I0.1; = Q0.0"),
         Sample("STK009", "Network 1\nLD I0.0; = Q0.0\nNetwork 2\nA I0.1; = Q0.1", "Network 1\nLD I0.0; = Q0.0\nNetwork 2\nLD I0.1; = Q0.1"),
         Sample("STK010", "LD I0.0; LPS; A I0.1; LRD; A I0.2; OLD; = Q0.0", "LD I0.0; LD I0.1; O I0.2; ALD; = Q0.0"),
+        Sample("JMP005", "LD SM0.0; FOR VW0, 1, 5; LD SM0.0; INCW VW2", "LD SM0.0; FOR VW0, 1, 5; LD SM0.0; INCW VW2; NEXT"),
+        Sample(
+            "JMP006",
+            "LD SM0.0; " + "; ".join(f"FOR VW{word}, 1, 2; LD SM0.0" for word in range(0, 18, 2)) + "; INCW VW100" + "; NEXT" * 9,
+            "LD SM0.0; " + "; ".join(f"FOR VW{word}, 1, 2; LD SM0.0" for word in range(0, 16, 2)) + "; INCW VW100" + "; NEXT" * 8,
+        ),
+        Sample("TMR001", "LD I0.0; TON T5, 10; LD T5; = Q0.0", "LD I0.0; TONR T5, 10; LD T5; = Q0.0"),
+        Sample("TMR002", "LD I0.0; TON T37, 10; LD I0.1; TOF T37, 10", "LD I0.0; TON T37, 10; LD I0.1; TOF T38, 10"),
         Sample("RDR001", "LD I0.0; ADN I0.1; = Q0.0", "LD I0.0; AN I0.1; = Q0.0"),
         Sample("RDR002", "LD I0.0; PID VB100, 0", "LD I0.0; = Q0.0"),
         Sample("RDR003", "LD I0.0; A; = Q0.0", "LD I0.0; A I0.1; = Q0.0"),
@@ -212,6 +293,8 @@ S7_200 = Dialect(
         Sample("RDR005", "LD I00; = Q0.0", "LD I0.0; = Q0.0"),
         Sample("RDR006", "LD I0.8; = Q0.0", "LD I1.0; = Q0.0"),
         Sample("RDR007", "LDI M0.0; = Q0.0", "LDI I0.0; = Q0.0"),
+        Sample("RDR008", "LD I0.0; TON T37, 40000", "LD I0.0; TON T37, 30000"),
+        Sample("RDR006", "LD I0.0; MOVW AIW1, VW0", "LD I0.0; MOVW AIW2, VW0"),
         Sample("RDR008", "LD I0.0; LDS 9; ALD; = Q0.0", "LD I0.0; LDS 0; A I0.1; OLD; = Q0.0"),
         Sample("RDR009", "LD I0.0\n= Q0.0 (* the lamp", "LD I0.0\n= Q0.0 (* the lamp *)"),
         Sample("RDR012", "LD I0.0; = I0.1", "LD I0.0; = Q0.1"),

@@ -13,12 +13,13 @@ from typing import TYPE_CHECKING
 from plcteach.core.text import NOTHING, Text, same
 from plcteach.figure.scale import round_step
 from plcteach.figure.scene import Scene, Stroke, Words, extent, extent_of
-from plcteach.figure.track import Plot, Track, edges, track_ground, track_height, track_shapes
+from plcteach.figure.track import Plot, Track, edges, row_of, track_ground, track_height, track_shapes
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
 
     from plcteach.figure.scene import Shape
+    from plcteach.figure.track import Row
 
 __all__ = ["Track", "chart_scene"]
 
@@ -73,15 +74,15 @@ def chart_scene(
     top = head + _MARK_ROW * rows + 6
     places = _places(tracks, top)
     bottom = (places[-1] + track_height(tracks[-1]) if tracks else top) + 8
-    rows_of = list(zip(tracks, places, strict=True))
+    drawn = [(track, row_of(track, y)) for track, y in zip(tracks, places, strict=True)]
     shapes: list[Shape] = [*_title(title, width)]
-    shapes += [shape for track, y in rows_of for shape in track_ground(track, plot, y)]
+    shapes += [shape for track, row in drawn for shape in track_ground(track, plot, row)]
     shapes += _grid(plot, top - 4, bottom)
     if guides:
         shapes += _guides(tracks, plot, top, bottom)
-    for track, y in rows_of:
-        shapes += _label(track, left, y)
-        shapes += track_shapes(track, plot, y)
+    for track, row in drawn:
+        shapes += _label(track, left, row)
+        shapes += track_shapes(track, plot, row)
     shapes += _marks(told, plot, head, bottom)
     shapes += _axis(plot, bottom, scans)
     return Scene(round(width), round(bottom + 42), tuple(shapes), _words(tracks, title))
@@ -98,7 +99,7 @@ def _places(tracks: Sequence[Track], top: float) -> list[float]:
 def _gutter(tracks: Sequence[Track], width: float) -> float:
     """Give the room for the names of the tracks, but never more than a good third of the picture."""
     names = [max(extent(track.label, 13, code=True), extent(track.unit, 11)) for track in tracks]
-    scales = [extent(word, 10, code=True) for track in tracks for word in track.scale]
+    scales = [extent(word, 10, code=True) for track in tracks for word in map(str, track.reach)]
     return _MARGIN + min(max(names, default=0), width * _LABEL_SHARE) + max(scales, default=0) + 14
 
 
@@ -119,16 +120,14 @@ def _cut_words(words: str, room: float, size: float, *, code: bool = False) -> s
     return words.rstrip() + "…"
 
 
-def _label(track: Track, left: float, y: float) -> Iterator[Shape]:
-    scales = max(extent(word, 10, code=True) for word in track.scale)
-    right = left - scales - 14
+def _label(track: Track, left: float, row: Row) -> Iterator[Shape]:
+    right = left - max(extent(word, 10, code=True) for word, _ in row.scale) - 14
     words = same(_cut_words(track.label, right - _MARGIN, 13, code=True))
-    middle = track.middle(y)
-    yield Words(right, middle - (7 if track.unit else 0), words, "text", "end", 13, code=True)
+    yield Words(right, row.middle - (7 if track.unit else 0), words, "text", "end", 13, code=True)
     if track.unit:
-        yield Words(right, middle + 8, same(_cut_words(track.unit, right - _MARGIN, 11)), "quiet", "end", 11)
-    for word, place in zip(track.scale, track.ends(y), strict=True):
-        yield Words(left - 6, place, same(word), "quiet", "end", 10, code=True)
+        yield Words(right, row.middle + 8, same(_cut_words(track.unit, right - _MARGIN, 11)), "quiet", "end", 11)
+    for word, y in row.scale:
+        yield Words(left - 6, y, same(word), "quiet", "end", 10, code=True)
 
 
 def _unit(until: int) -> tuple[int, str]:
@@ -192,8 +191,8 @@ def _mark_rows(marks: Marks, plot: Plot) -> tuple[int, list[Flag]]:
         room, x = extent_of(words, 12) + 4, plot.x(moment)
         start = max(2.0, min(x + 4, edge - room))
         row = max((flag.row + 1 for flag in told if flag.words != NOTHING and flag.end + 4 > min(x, start)), default=0)
-        told.append(Flag(x, start, room, min(row, _MARK_ROWS - 1), words if row < _MARK_ROWS else NOTHING))
-    return max((flag.row + 1 for flag in told), default=0), told
+        told.append(Flag(x, start, room, min(row, _MARK_ROWS), words if row < _MARK_ROWS else NOTHING))
+    return max((flag.row + 1 for flag in told if flag.words != NOTHING), default=0), told
 
 
 def _marks(told: list[Flag], plot: Plot, head: float, bottom: float) -> Iterator[Shape]:

@@ -41,41 +41,44 @@ class Track:
         return f"Track({self.label!r}, {len(self.changes)} changes)"
 
     @property
-    def low(self) -> int:
-        """The value at the bottom of the row."""
-        return min((value for _, value in self.changes if value is not None), default=0) if self.word else 0
-
-    @property
-    def base(self) -> int:
-        """The value at the bottom of the row: 0 where no value is below it."""
-        return min(0, self.low)
-
-    @property
-    def top(self) -> int:
-        """The value at the top of the row."""
+    def reach(self) -> tuple[int, int]:
+        """The values at the bottom and at the top of its row: 0 at the bottom where no value is below it."""
         if not self.word:
-            return 1
-        highest = max((value for _, value in self.changes if value is not None), default=1)
-        return highest if highest > self.base else self.base + 1
+            return 0, 1
+        known = [value for _, value in self.changes if value is not None]
+        low = min(0, *known) if known else 0
+        return low, max(low + 1, *known) if known else 1
+
+
+@dataclass(frozen=True, slots=True)
+class Row:
+    """Where a track's values lie on the paper: two values, and their heights."""
+
+    low: int
+    high: int
+    bottom: float
+    top: float
+
+    def y(self, value: int) -> float:
+        """Give the height of a value."""
+        share = (value - self.low) / (self.high - self.low)
+        return self.bottom - (self.bottom - self.top) * min(1.0, max(0.0, share))
 
     @property
-    def scale(self) -> tuple[str, str]:
-        """The numbers beside the top and the bottom of the row."""
-        return str(self.top), str(self.base)
+    def middle(self) -> float:
+        """The height of its middle."""
+        return (self.bottom + self.top) / 2
 
-    def y(self, value: int, row: float) -> float:
-        """Give the height of a value in the row that begins at `row`."""
-        high = _WORD_HIGH if self.word else _BIT_HIGH
-        share = (value - self.base) / (self.top - self.base)
-        return row + track_height(self) - high * min(1.0, max(0.0, share))
+    @property
+    def scale(self) -> tuple[tuple[str, float], tuple[str, float]]:
+        """The numbers at the top and at the bottom, with their heights."""
+        return (str(self.high), self.top), (str(self.low), self.bottom)
 
-    def ends(self, row: float) -> tuple[float, float]:
-        """Give the heights of the top and the bottom."""
-        return self.y(self.top, row), self.y(self.base, row)
 
-    def middle(self, row: float) -> float:
-        """Give the height of the middle."""
-        return sum(self.ends(row)) / 2
+def row_of(track: Track, y: float) -> Row:
+    """Give the row of a track that begins at the height `y`."""
+    bottom = y + track_height(track)
+    return Row(*track.reach, bottom, bottom - (_WORD_HIGH if track.word else _BIT_HIGH))
 
 
 @dataclass(frozen=True, slots=True)
@@ -104,28 +107,27 @@ def edges(track: Track, until: int) -> list[int]:
     ]
 
 
-def track_ground(track: Track, plot: Plot, row: float) -> Iterator[Shape]:
+def track_ground(track: Track, plot: Plot, row: Row) -> Iterator[Shape]:
     """Draw what lies under the grid: washes under a bit that is on, grey where it is too fast to be drawn."""
     if not track.word:
-        top, bottom = track.ends(row)
+        high = row.bottom - row.top
         for first, last, value in _calmed(_stretches(track, plot)):
             if value == _BUSY or (value == 1 and last - first >= _WASH_FROM):
-                yield Box(first, top, last - first, bottom - top, "wash" if value == 1 else "busy")
+                yield Box(first, row.top, last - first, high, "wash" if value == 1 else "busy")
 
 
-def track_shapes(track: Track, plot: Plot, row: float) -> Iterator[Shape]:
+def track_shapes(track: Track, plot: Plot, row: Row) -> Iterator[Shape]:
     """Draw a track: bands where nobody knows, one line for the rest, numbers on words."""
     stretches = _stretches(track, plot) if track.word else _calmed(_stretches(track, plot))
-    top, bottom = track.ends(row)
     for first, last, _ in _unknown(stretches):
-        yield Box(first, top, last - first, bottom - top, "head")
-        yield _hatching(first, last, top, bottom)
+        yield Box(first, row.top, last - first, row.bottom - row.top, "head")
+        yield _hatching(first, last, row.top, row.bottom)
         if last - first >= _X_FROM:
-            yield Words((first + last) / 2, (top + bottom) / 2, same("x"), "lost", size=12, code=True)
+            yield Words((first + last) / 2, row.middle, same("x"), "lost", size=12, code=True)
     for run in _known(stretches, track):
-        yield Stroke(_thinned(_line(run, track, row)), "wire")
+        yield Stroke(_thinned(_line(run, row)), "wire")
     if track.word:
-        yield from _numbers(stretches, track, row)
+        yield from _numbers(stretches, row)
 
 
 def _stretches(track: Track, plot: Plot) -> list[Stretch]:
@@ -186,11 +188,11 @@ def _known(stretches: Sequence[Stretch], track: Track) -> list[list[tuple[float,
     return runs
 
 
-def _line(run: Sequence[tuple[float, float, int]], track: Track, row: float) -> Iterator[Point]:
+def _line(run: Sequence[tuple[float, float, int]], row: Row) -> Iterator[Point]:
     """Go along the values: a step where it is wide enough to be one, else straight from point to point."""
     before_fine = False
     for first, last, value in run:
-        y, fine = track.y(value, row), last - first < _FINE
+        y, fine = row.y(value), last - first < _FINE
         if not (fine and before_fine):
             yield first, y
         if fine:
@@ -234,9 +236,9 @@ def _hatching(first: float, last: float, top: float, bottom: float) -> Stroke:
     )
 
 
-def _numbers(stretches: Sequence[Stretch], track: Track, row: float) -> Iterator[Shape]:
+def _numbers(stretches: Sequence[Stretch], row: Row) -> Iterator[Shape]:
     """Write a value over its step where there is room for it."""
     for first, last, value in stretches:
         words = "" if value is None else str(value)
         if value is not None and extent(words, 10.5, code=True) + 6 <= last - first:
-            yield Words((first + last) / 2, track.y(value, row) - 7, same(words), "quiet", size=10.5, code=True)
+            yield Words((first + last) / 2, row.y(value) - 7, same(words), "quiet", size=10.5, code=True)

@@ -25,9 +25,11 @@ def worked(doing: Evaluation[Any], op: str, sources: Operands, target: tuple[Add
     doing.seen += [(arg, word) for (arg, _), word in zip(sources, words, strict=True) if isinstance(arg, Address)]
     exact, answered = rule.exact(domain, words)
     place, kind = target
-    size = min(place.size, kind.size) or kind.size
+    size = kind.size if place.field == "K" else min(place.size, kind.size) or kind.size
     result = exact.wrap(size, signed=kind.signed)
     fits = answered if rule.wraps else answered & result.eq(exact)
+    if rule.keeps_sign:
+        result = domain.join((*exact.bits(size - 1), ~exact.ge(domain.number(0))))
     divides = ~words[-1].eq(domain.number(0)) if rule.divides else domain.one
     if rule.divides and kind.real:
         divides = divides & ~words[-1].eq(domain.number(_MINUS_ZERO))
@@ -47,7 +49,7 @@ _MINUS_ZERO = -(1 << 31)
 def _among(domain: Any, result: Any, into: tuple[Any, Address, int]) -> Any:
     """Put a result into the low part of a wider register, whose other bits stay [rec]."""
     world, place, size = into
-    if size == place.size:
+    if size >= place.size:
         return result
     return domain.join((*result.bits(size), *world.word(place).bits(place.size)[size:]))
 
@@ -74,7 +76,7 @@ def _flags(doing: Evaluation[Any], rule: Rule, power: Any, made: tuple[Any, Any,
     zero = domain.number(0)
     shown = domain.apply(rule.shown, result) if rule.shown else result
     found = {
-        "zero": shown.eq(zero) & fits,
+        "zero": shown.eq(zero) & (domain.one if rule.keeps_sign else fits),
         "negative": ~shown.ge(zero) & fits,
         "overflow": ~fits,
         "borrow": ~fits & ~exact.ge(zero),

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any, Generic, TypeVar
 from plcteach.core.area import Address
 from plcteach.core.diagnostic import Diagnostic, rule
 from plcteach.machine.plan import plan_of
+from plcteach.machine.rails import Rails, number_of
 from plcteach.machine.signals import Signal
 from plcteach.machine.step import Stacks, Step, step
 
@@ -44,16 +45,11 @@ class Course(Generic[S]):
         self.routine = ""
         self.next, self.stop = self.plan.routines[""]
         self.run: S | None = None if world.stopped is None else ~world.stopped
-        self.gate: S | None = None
         self.stacks: Stacks[S] = self.fresh()
-        self.frames: list[tuple[str, int, int, S | None, Stacks[S]]] = []
+        self.frames: list[tuple[str, int, int, S | None, Stacks[S], list[int], S]] = []
         self.waiting: dict[int, S] = {}
         self.loops: list[int] = []
-        self.rails: dict[int, S | None] = {}
-        self.powered_by: list[Address] = []
-        self.base: S | None = None
-        self.stepping = False
-        self.leaving: list[tuple[Address, S]] = []
+        self.rails: Rails[S] = Rails(world)
         self.executed = 0
         self.went_back: Line | None = None
         self.found: list[Diagnostic] = []
@@ -75,13 +71,14 @@ class Course(Generic[S]):
                 self.stacks = tuple(
                     cells if shape.fixed else () for cells, shape in zip(self.stacks, self.shapes, strict=True)
                 )
-            self.before(number)
+            self.rails.before(lines[number], lines[number - 1] if number else None)
             run = self.running()
             if run == domain.zero and number not in self.plan.wakes:
                 continue
             self.world.at(number, count)
             one = step(lines[number], self.shapes, self.stacks, self.world, domain.blank, number=number)
             if run != domain.zero:
+                one = self.rails.coil(one)
                 self.world.keep(one, run)
                 self.stacks = one.after if run is None else self.merged(one, run)
                 yield number, one
@@ -94,9 +91,10 @@ class Course(Generic[S]):
 
     def running(self) -> S | None:
         """Say where lines are executed; None: everywhere."""
-        if self.run is None or self.gate is None:
-            return self.run if self.gate is None else self.gate
-        return self.run & self.gate
+        gate = self.rails.gate
+        if self.run is None or gate is None:
+            return self.run if gate is None else gate
+        return self.run & gate
 
     def merged(self, one: Step[S], run: S) -> Stacks[S]:
         """Keep the old cells where the line was passed over."""
@@ -107,19 +105,6 @@ class Course(Generic[S]):
             else after
             for before, after in zip(one.before, one.after, strict=True)
         )
-
-    def before(self, number: int) -> None:
-        """Before a line that switches the rail, the rail is what it was outside; a step after a step needs both."""
-        line = self.plan.lines[number]
-        if not line.insn.powers:
-            return
-        above = self.plan.lines[number - 1] if number else None
-        if not (above and above.insn.powers and self.powered_by):
-            self.unpower_all()
-
-    def unpower_all(self) -> None:
-        """Give the rail back the power that it has outside of segments and steps."""
-        self.world.rail, self.gate, self.stepping, self.powered_by = self.base, None, False, []
 
     def less(self, power: S | None) -> None:
         """Go on only where there was no power."""
@@ -180,17 +165,19 @@ class Course(Generic[S]):
         if len(self.frames) >= DEEPEST:
             self.say("RUN003", one)
             return
-        self.frames.append((self.routine, self.next, self.stop, self.run, self.stacks))
+        self.frames.append((self.routine, self.next, self.stop, self.run, self.stacks, self.loops, here))
+        self.loops = []
         self.routine, (self.next, self.stop) = name, self.plan.routines[name]
         self.run = None if here == domain.one else here
         top = (domain.one,) + (domain.zero,) * (self.shapes[0].depth - 1)
         self.stacks = (top if self.shapes[0].fixed else (), *((),) * (len(self.shapes) - 1))
 
     def back(self) -> bool:
-        """Return from a routine at its end; False: the scan is over."""
+        """Return from a routine at its end, to a stack as it was; False: the scan is over."""
         if not self.frames:
             return False
-        self.routine, self.next, self.stop, self.run, self.stacks = self.frames.pop()
+        self.routine, self.next, self.stop, self.run, self.stacks, self.loops, called = self.frames.pop()
+        self.world.bits["ENO"] = self.world.domain.pick(called, self.world.domain.one, self.world.register("ENO"))
         return True
 
     def leave(self, _verb: Verb, _one: Step[S], power: S | None) -> None:
@@ -230,8 +217,9 @@ class Course(Generic[S]):
     def again(self, _verb: Verb, one: Step[S], _power: S | None) -> None:
         """End a loop's body: count the index on, and go back until it has passed the last value."""
         first = self.plan.ends.get(one.number)
-        if first is None or not self.loops or self.loops[-1] != first:
+        if first is None or first not in self.loops:
             return
+        del self.loops[self.loops.index(first) + 1 :]  # loops that a jump has left
         line, kind = self.plan.lines[first], self.world.dialect.kinds["word"]
         verb = line.insn.then[0]
         index, last = line.bound[verb.target], line.bound[verb.sources[1]]
@@ -246,53 +234,37 @@ class Course(Generic[S]):
 
     def master(self, verb: Verb, one: Step[S], power: S | None) -> None:
         """Switch the rail by a master control."""
-        number = one.line.bound[verb.target]
-        self.rails[int(number)] = self.base  # type: ignore[arg-type]
-        self.world.rail = self.base = power
+        self.rails.master(number_of(verb, one), power)
 
     def restore(self, verb: Verb, one: Step[S], _power: S | None) -> None:
-        """Give the rail back what it had before a master control."""
-        number = int(one.line.bound[verb.target])  # type: ignore[arg-type]
-        if number in self.rails:
-            self.world.rail = self.base = self.rails[number]
-            self.rails = {key: rail for key, rail in self.rails.items() if key < number}
+        """End a master control."""
+        self.rails.restore(number_of(verb, one))
 
     def segment(self, verb: Verb, one: Step[S], power: S | None) -> None:
-        """Power the rail by the bit of a segment; the lines of a segment without power are executed, with every load 0."""
-        self.world.rail = power
-        self.powered_by = [one.line.bound[verb.target]]  # type: ignore[list-item]
+        """Begin a segment."""
+        bit = one.line.bound[verb.target]
+        if isinstance(bit, Address):
+            self.rails.segment(bit, power)
 
     def unpower(self, _verb: Verb, _one: Step[S], power: S | None) -> None:
-        """End a segment or a step; with a condition, only where it holds."""
-        if power is not None:
-            rail = self.world.rail
-            self.world.rail = ~power if rail is None else rail & ~power
-            return
-        self.unpower_all()
+        """End a segment or a step."""
+        self.rails.unpower(power)
 
-    def transfer(self, _verb: Verb, one: Step[S], power: S | None) -> None:
-        """Leave the segment at once where there is power."""
-        for source in self.powered_by:
-            self.world.store(source, self.world.bit(source) & ~self.here(power))
-        del one
+    def transfer(self, _verb: Verb, _one: Step[S], power: S | None) -> None:
+        """Leave a segment."""
+        self.rails.transfer(self.here(power))
 
     def step(self, verb: Verb, one: Step[S], power: S | None) -> None:
-        """Power the rail by a step; a step that has just ended is executed once more, without power, and then passed over."""
+        """Begin a step."""
         bit = one.line.bound[verb.target]
-        if not isinstance(bit, Address) or power is None:
-            return
-        self.world.rail = power
-        key = f"{bit.text}<step"
-        gate = power | self.world.kept(key)
-        self.gate, self.stepping = None if gate == self.world.domain.one else gate, True
-        self.world.bits[key] = power
-        self.powered_by.append(bit)
+        if isinstance(bit, Address) and power is not None:
+            self.rails.step(bit, power, one.number)
 
     def setting(self, verb: Verb, one: Step[S], power: S | None) -> None:
         """End a step at the end of the scan in which another is set from within it."""
         target = one.line.bound.get(verb.target)
-        if self.stepping and isinstance(target, Address) and power is not None:
-            self.leaving += [(bit, self.here(power)) for bit in self.powered_by if bit.area == target.area]
+        if isinstance(target, Address) and power is not None:
+            self.rails.depart(target, self.here(power))
 
     def open_block(self, verb: Verb, one: Step[S], _power: S | None) -> None:
         """Begin a block's input section."""
@@ -310,8 +282,7 @@ class Course(Generic[S]):
 
     def end(self) -> None:
         """End the scan: steps that were left go off; a CPU that has gone to STOP switches its outputs off."""
-        for bit, where in self.leaving:
-            self.world.store(bit, self.world.bit(bit) & ~where)
+        self.rails.end()
         if self.world.stopped is not None:
             for area in self.world.dialect.areas:
                 if area.role == "output":

@@ -47,12 +47,13 @@ class Recorder:
         self.values: tuple[int, ...] = ()
         self.given: tuple[int, ...] = ()
         self.ticks: tuple[int, ...] = ()
-        self.scans = self.now = 0
+        self.scans = self.now = self.first_ms = 0
 
     def scan(self, row: Mapping[str, Any]) -> None:
         """Run one scan."""
         number = len(self.starts)
-        ms = int(row.get("ms", self.scan_ms)) if number else 0
+        ms = int(row.get("ms", self.scan_ms)) if number or self.state.scans else 0
+        self.first_ms = self.first_ms if number else ms
         self.starts.append(self.starts[-1] + ms if number else 0)
         same = not row or (len(row) == 1 and "ms" in row)
         inputs = self.held if same else self.taken(row)
@@ -178,4 +179,5 @@ class Recorder:
             self.memory(),
             tuple(self.found.values()),
             self.scan_ms,
+            self.first_ms,
         )

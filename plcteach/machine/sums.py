@@ -32,12 +32,13 @@ class Rule:
 
     flags: what it leaves behind in the family's flags.  wraps: too large a result is cut off and is no overflow.
     divides: its last operand must not be 0.  out: the bit that falls out last, which the overflow flag then keeps; None where
-    none falls out.  shown: the number that zero and negative speak of, where that is not the result.
+    none falls out.  keeps_sign: too large a result is cut off below its sign, which stays.  shown: the number that zero and negative speak of, where that is not the result.
     """
 
     formula: Callable[..., Any] | None = None
     function: Callable[..., int | None] | None = None
     flags: tuple[str, ...] = ()
+    keeps_sign: bool = False
     wraps: bool = False
     divides: bool = False
     out: Callable[[int, int], int | None] | None = None
@@ -162,6 +163,12 @@ RULES: dict[str, Rule] = {
     "move": Rule(lambda _, a: a, wraps=True),
     "add": Rule(lambda _, a, b: a + b, flags=SUM),
     "sub": Rule(lambda _, a, b: a - b, flags=SUM),
+    "sum": Rule(lambda _, a, b: a + b, flags=SUM, keeps_sign=True),
+    "difference": Rule(lambda _, a, b: a - b, flags=SUM, keeps_sign=True),
+    "next": Rule(lambda domain, a: a + domain.number(1), wraps=True),
+    "last": Rule(lambda domain, a: a - domain.number(1), wraps=True),
+    "product": Rule(function=lambda a, b: a * b, wraps=True),
+    "parts": Rule(function=_halves, wraps=True, divides=True),
     "inc": Rule(lambda domain, a: a + domain.number(1), flags=SUM),
     "dec": Rule(lambda domain, a: a - domain.number(1), flags=SUM),
     "up": Rule(lambda domain, a: a + domain.number(1), wraps=True),

@@ -112,6 +112,7 @@ class Trace:
     memory: Memory[Column]
     diagnostics: tuple[Diagnostic, ...] = ()
     scan_ms: int = SCAN_MS
+    first_ms: int = 0
     domain: Domain[Column] = field(default=BITS, repr=False)
 
     def __repr__(self) -> str:
@@ -124,7 +125,7 @@ class Trace:
 
     def scan_from(self, number: int, memory: Memory[Column]) -> Scan[Column]:
         """Give a scan, the memory before it being known."""
-        ms = self.starts[number] - self.starts[number - 1] if number else 0
+        ms = self.starts[number] - self.starts[number - 1] if number else self.first_ms
         return Scan(self.program, self.domain, number, self.starts[number], self.inputs[number], memory, ms)
 
     def __getitem__(self, address: str) -> str:

@@ -75,7 +75,9 @@ class Plant(Store[S]):
         return self.now * 2 // period % 2 == 1
 
     def tick(self, when: str, dt: Any) -> None:
-        """Let time pass for the timers that run without their instruction."""
+        """Let time pass for the timers that run without their instruction, but not where the CPU is in STOP."""
+        if self.stopped is not None:
+            dt = self.domain.pick(self.stopped, self.domain.number(0), dt)
         for target, op, moment in self.clocks:
             if moment == when:
                 clock = ticked_clock(self, target, timer_op(self, op, target), dt)

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING
 from plcteach.core.diagnostic import rule
 from plcteach.core.effect import Name, names
 from plcteach.core.program import Line, Network
+from plcteach.stl.section import CLOSE
 from plcteach.stl.tokens import Heading
 
 if TYPE_CHECKING:
@@ -52,6 +53,9 @@ class _Walk:
         self.openers: list[Line] = []
         self.diagnostics: list[Diagnostic] = []
         self.block = ""
+        self.inside = False
+        self.routine = ""
+        self.routines: dict[int, str] = {}
         self.clear()
 
     def clear(self) -> None:
@@ -63,6 +67,7 @@ class _Walk:
     def heading(self, heading: Heading) -> None:
         self.close()
         self.clear()
+        self.inside = False
         self.headings.setdefault(len(self.lines), []).append(heading)
 
     def line(self, line: Line) -> None:
@@ -92,9 +97,10 @@ class _Walk:
 
     def settled(self, line: Line, number: int) -> Line:
         """Break the list before a load when every value is used, and choose the reading of a load that has two."""
+        self.placed(line, number)
         if not _loads(line):
             return line
-        if all(cell.spent for cells in self.stacks.values() for cell in cells) and not self.openers:
+        if self.free():
             self.new_rung(number)
         if line.insn.fresh is None:
             return line
@@ -105,6 +111,28 @@ class _Walk:
             main[-1].ghost = number
             main.append(_Cell(spent=True))
         return replace(line, effect=line.insn.fresh)
+
+    def free(self) -> bool:
+        """Say whether a new rung may begin: every value is used, no block is open, and no label stands right above."""
+        below = bool(self.lines) and bool(_verbs(self.lines[-1]) & _HEADS)
+        used = all(cell.spent for cells in self.stacks.values() for cell in cells)
+        return used and not (self.openers or self.inside or below)
+
+    def placed(self, line: Line, number: int) -> None:
+        """Break the list before a label, a subroutine and a block's section, and behind a subroutine."""
+        verbs = _verbs(line)
+        if "entry" in verbs:
+            operand, arg = line.insn.operands[0], line.args[0]
+            self.routine = f"{operand.mark}{arg}"
+            self.new_rung(number)
+        elif verbs & _BEGINS and self.free():
+            self.new_rung(number)
+        if self.routine:
+            self.routines[number] = self.routine
+            if "return" in verbs:
+                self.routine = ""
+                self.breaks.add(number + 1)
+        self.inside = "open" in verbs or (self.inside and line.insn.word != CLOSE)
 
     def new_rung(self, number: int) -> None:
         self.breaks.add(number)
@@ -146,11 +174,12 @@ class _Walk:
         while tag != "L" and cells and cells[-1].ghost >= 0:
             cells.pop()
 
-    def network(self, heading: Heading | None, lines: tuple[Line, ...]) -> Network:
-        """Make a network; one that has no heading belongs to the subroutine of the last one that had."""
+    def network(self, heading: Heading | None, lines: tuple[Line, ...], last: int) -> Network:
+        """Make a network; it belongs to the subroutine whose first line stands above, else to that of the last heading."""
         if heading:
             self.block = heading.block
-        return Network(heading.title if heading else "", lines, heading is not None, self.block)
+        block = self.routines.get(last, "") or self.block
+        return Network(heading.title if heading else "", lines, heading is not None, block)
 
     def finish(self) -> tuple[tuple[Network, ...], list[Diagnostic]]:
         self.close()
@@ -158,23 +187,31 @@ class _Walk:
         current: list[Line] = []
         heading: Heading | None = None
 
-        def flush() -> None:
+        def flush(number: int) -> None:
             nonlocal heading
             if current or heading:
-                networks.append(self.network(heading, tuple(current)))
+                networks.append(self.network(heading, tuple(current), number - 1))
             current.clear()
             heading = None
 
         for number in range(len(self.lines) + 1):
             for one in self.headings.get(number, ()):
-                flush()
+                flush(number)
                 heading = one
             if number in self.breaks and current:
-                flush()
+                flush(number)
             if number < len(self.lines):
                 current.append(self.lines[number])
-        flush()
+        flush(len(self.lines))
         return tuple(networks), self.diagnostics
+
+
+_HEADS = {"label", "entry"}
+_BEGINS = {"label", "entry", "open"}
+
+
+def _verbs(line: Line) -> set[str]:
+    return {verb.name for verb in line.insn.then}
 
 
 def _loads(line: Line) -> bool:

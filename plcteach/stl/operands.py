@@ -11,6 +11,7 @@ from plcteach.core.diagnostic import rule
 from plcteach.core.program import Arg, Compare, Source, Value
 from plcteach.core.source import Span
 from plcteach.core.text import NOTHING, Text, same
+from plcteach.stl.expression import expression
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -20,12 +21,13 @@ if TYPE_CHECKING:
     from plcteach.core.spec import Dialect, Insn, Operand
     from plcteach.stl.words import Word
 
-_NUMBER = re.compile(r"[+]?\d{1,9}")
+_NUMBER = re.compile(r"[+-]?\d{1,9}")
 _REAL = re.compile(r"[+-]?\d{1,20}\.\d{1,20}(?:[Ee][+-]?\d{1,3})?")
 _OCTAL = 8
 _HEX = 16
 _LONGEST_ADDRESS = 16
 _LONGEST_NUMBER = 40
+_EVEN = Text("这里的字只从偶数号开始。", "Words begin at even numbers here. ")
 
 
 class Operands:
@@ -38,6 +40,7 @@ class Operands:
         self.found = found
         self.find = find
         self.symbols: dict[str, str] = {}
+        self.settings: dict[str, dict[str, int | str | tuple[str, ...]]] = {}
 
     def say(self, code: str, span: Span, **values: object) -> None:
         """Report one finding."""
@@ -72,6 +75,8 @@ class Operands:
         if operand.relation:
             return self.compared(insn, operand, words)
         kind = self.dialect.kinds[operand.kind]
+        if operand.kind == "assign" or (kind.compare and words[0].text.startswith("[")):
+            return expression(self, insn, operand, words[0])
         if kind.size == 1:
             return self.bit(insn, operand, words[0])
         return self.word(insn, operand, words[0], kind)
@@ -147,7 +152,7 @@ class Operands:
             near = self.near_address(word.text)
             self.say("RDR005", word.span, word=word.shown, expected=self.expected(operand), near=near)
         else:
-            note = self.dialect.note_octal if found.base == _OCTAL else NOTHING
+            note = self.dialect.note_octal if found.base == _OCTAL else _EVEN if found.even else NOTHING
             ends = {"first": found.first, "last": found.last}
             self.say("RDR006", word.span, word=word.shown, area=found.title, **ends, note=note)
 
@@ -191,13 +196,11 @@ class Operands:
         if found.size == 1 and area.value and not found.field:
             size = self.dialect.bank(found).size
             return Address(found.area, found.index, found.text, size) if size == kind.size else None
-        if found.size in {0, 1} or (found.size > kind.size and not area.size == found.size):
+        if found.size in {0, 1} or (found.size > kind.size and area.size != found.size):
             return None
         if found.size == area.size and not found.field and kind.size > found.size:
             return Address(found.area, found.index, found.text, kind.size)
-        if area.words and found.size != kind.size and not found.field:
-            return None
-        return found
+        return None if area.words and found.size != kind.size and not found.field else found
 
     def constant(self, text: str, kind: Kind) -> Value | None:
         """Read a number in any of the family's spellings (16#0F, K10, 3.14)."""

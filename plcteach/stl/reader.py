@@ -2,19 +2,24 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import cached_property, lru_cache
 from typing import TYPE_CHECKING
 
 from plcteach.core.area import Address, Area
 from plcteach.core.diagnostic import MOST_FINDINGS, Diagnostic, few
 from plcteach.core.errors import nearest
-from plcteach.core.program import Line, Program
+from plcteach.core.program import Assign, Line, Program
 from plcteach.core.source import Span, decode
 from plcteach.core.text import NOTHING, Text
 from plcteach.dialects import dialect as find_dialect
 from plcteach.dialects import names
+from plcteach.stl.boxes import expanded
 from plcteach.stl.circuits import arrange
+from plcteach.stl.configuration import Configuration, remarks
+from plcteach.stl.expression import bracketed
 from plcteach.stl.operands import Operands, did_you_mean
+from plcteach.stl.section import Section, Spelled
 from plcteach.stl.tokens import Heading, Statement, Word, cut
 
 if TYPE_CHECKING:
@@ -45,19 +50,23 @@ def read(
     items: list[Line | Heading] = []
     for item in tokens.items:
         if isinstance(item, Heading):
+            reading.section.close()
             items.append(item)
         else:
             items.extend(reading.line(item))
         if len(reading.diagnostics) > MOST_FINDINGS:
             break
+    reading.section.close()
     networks, found = arrange(family, items)
     diagnostics = sorted([*tokens.diagnostics, *reading.diagnostics, *found], key=lambda one: one.span)
     return Program(
         family,
         networks,
-        tokens.tail,
+        reading.above + tokens.tail,
+        tuple(reading.configuration.lines),
         source=source,
         diagnostics=tuple(few(diagnostics)),
+        settings=reading.configuration.settings,
         symbols=reading.operands.symbols,
     )
 
@@ -69,32 +78,61 @@ class _Reading:
         self.dialect = dialect
         self.diagnostics: list[Diagnostic] = []
         self.operands = Operands(dialect, self.diagnostics, find)
+        self.configuration = Configuration(self.operands)
+        self.section = Section(self.operands)
+        self.above: tuple[str, ...] = ()
+        self.began = False
         self.say = self.operands.say
 
     def line(self, statement: Statement) -> Iterator[Line]:
         words = _unnumbered(statement.words)
+        words = bracketed(words) if "[" in self.dialect.words else words
+        if words[0].text.upper() in self.dialect.boxes:
+            yield from expanded(self.operands, words, statement)
+            return
+        if not self.section.numbered(words) and self.configuration.takes(words):
+            self.configuration.line(words, late=self.began)
+            self.above += remarks(statement.above, statement.comment)
+            return
+        spelled = self.section.spelled(words)
+        if spelled is None:
+            return
+        ends = replace(statement, comment="") if spelled.rest else statement
+        yield from self.instruction(spelled, ends)
+        if spelled.rest:
+            yield from self.line(Statement(list(spelled.rest), statement.comment))
+
+    def instruction(self, spelled: Spelled, statement: Statement) -> Iterator[Line]:
+        """Read one instruction, its operands written out."""
+        words = spelled.words
         insn, operands = self.insn(words)
         if insn is None:
             return
         span = Span(words[0].span.row, words[0].span.start, words[-1].span.stop)
         insn = self.suited(insn, operands)
-        args = self.operands.args(insn, words[0], operands, span)
+        args = self.operands.args(insn, words[0], operands, span) if self.section.suits(insn, operands) else None
+        self.began = True
         if args is None:
             return
         effect = insn.bare if insn.bare and not args else insn.effect
         numbers = {name.name: arg for name, arg in zip(insn.operands, args, strict=False) if isinstance(arg, int)}
-        yield Line(insn, args, effect.bind(numbers), span, statement.comment, statement.above)
+        said = args[0].text if args and isinstance(args[0], Assign) else spelled.said
+        above, self.above = self.above + statement.above, ()
+        line = Line(insn, args, effect.bind(numbers), span, statement.comment, above, said)
+        self.section.after(line)
+        yield line
 
     def suited(self, insn: Insn, operands: list[Word]) -> Insn:
         """Give the row that an instruction has for the area of its operand (OUT T0 is no OUT Y0), else the row itself."""
-        found = self.operands.place(operands[0]) if operands and insn.mnemonic in self.several else None
+        found = self.operands.place(operands[0]) if operands and insn.word in self.several else None
         area = found.area if isinstance(found, Address) else found.prefix if isinstance(found, Area) else ""
+        area = "" if isinstance(found, Address) and found.field else area
         return self.dialect.words.get(f"{insn.word} {area}", insn)
 
     @cached_property
-    def several(self) -> frozenset[str]:
-        """The instructions with rows of their own for some areas."""
-        return frozenset(row.word for row in self.dialect.insns if " " in row.mnemonic)
+    def several(self) -> dict[str, Insn]:
+        """The instructions with rows of their own for some areas, each with one of its rows."""
+        return {row.word: row for row in self.dialect.insns if " " in row.mnemonic}
 
     def insn(self, words: list[Word]) -> tuple[Insn | None, list[Word]]:
         """Find the instruction that a statement begins with, also where its sign is glued to the operand (=Q0.0)."""
@@ -112,7 +150,8 @@ class _Reading:
 
     def known(self, word: str) -> Insn | None:
         upper = word.upper()
-        return self.dialect.words.get(self.dialect.aliases.get(upper, upper))
+        found = self.dialect.words.get(self.dialect.aliases.get(upper, upper))
+        return found or self.several.get(upper)
 
     @cached_property
     def glued(self) -> list[str]:

@@ -44,8 +44,14 @@ def write_bytes(program: Program, form: Form = "plain", encoding: str | None = N
 
 def _blocks(program: Program) -> Iterator[tuple[str, list[Network]]]:
     """Give the main program and the subroutines, each with its networks, in the order of the text."""
-    for block, networks in groupby(program.networks, lambda network: network.block):
+    begun = {one.block for one in program.networks if one.lines and _begins(one.lines[0])}
+    for block, networks in groupby(program.networks, lambda one: "" if one.block in begun else one.block):
         yield block, list(networks)
+
+
+def _begins(line: Line) -> bool:
+    """Say whether a line begins a subroutine by itself, so that nothing need stand around it (NEZA's `SR0:`)."""
+    return any(verb.name == "entry" for verb in line.insn.then)
 
 
 def _begin(block: str) -> str:

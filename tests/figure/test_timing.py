@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import random
+from itertools import pairwise
 
 import pytest
 
@@ -68,7 +69,7 @@ def test_a_word_is_drawn_as_stairs_with_its_values_where_there_is_room(width):
     top, bottom = min(y for _, y in stairs), max(y for _, y in stairs)
     for moment, value in ((2, 0), (4.5, 1), (6.5, 3), (8.5, 5), (11.5, 1), (19, 5)):
         x = zero + second * moment
-        (y,) = {y for (x0, y), (x1, after) in zip(stairs, stairs[1:], strict=False) if x0 < x < x1 and y == after}
+        (y,) = {y for (x0, y), (x1, after) in pairwise(stairs) if x0 < x < x1 and y == after}
         assert (bottom - y) / (bottom - top) == pytest.approx(value / 5)
     shown = words(scene)
     assert {"%TM0.V", "×1 s"} <= set(shown)
@@ -89,7 +90,7 @@ def test_the_axis_has_round_numbers_in_a_unit_that_suits(width, until, unit, siz
     numbers = [float(tick.text.en) for tick in ticks]
     assert numbers[1] / 10 ** len(str(int(numbers[1]))) in {0.1, 0.2, 0.5} or numbers[1] in {0.1, 0.2, 0.5}
     assert 2 <= len(ticks) <= width / 45
-    for one, two in zip(ticks, ticks[1:], strict=False):
+    for one, two in pairwise(ticks):
         assert one.x + extent(one.text.en, 11, code=True) / 2 < two.x - extent(two.text.en, 11, code=True) / 2
     edge = [x for x, _ in lines(scene)[0].points][1]
     assert edge == pytest.approx(zero + scale * (until // 2) / size, abs=0.06)
@@ -144,7 +145,7 @@ def test_a_pulse_shorter_than_a_pixel_is_still_seen():
 
 
 def test_thinning_loses_no_high_or_low_that_a_pixel_held():
-    wild = random.Random(3)
+    wild = random.Random(3)  # noqa: S311, a test that can be repeated
     changes = tuple((at, wild.randrange(1_000)) for at in range(0, 60_000, 7))
     scene = chart_scene((Track("VW0", changes, word=True),), 60_000, title=TITLE)
     (line,) = lines(scene)
@@ -199,7 +200,7 @@ def test_scans_are_marked_only_where_they_can_be_seen():
 
 
 def test_no_line_of_a_mark_runs_through_the_words_of_another():
-    wild = random.Random(5)
+    wild = random.Random(5)  # noqa: S311, a test that can be repeated
     for _ in range(60):
         marks = tuple((wild.randrange(0, 14_000), same("word" * wild.randint(1, 4))) for _ in range(wild.randint(2, 6)))
         scene = chart_scene(TOF, 20_000, title=TITLE, marks=marks)

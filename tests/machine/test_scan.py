@@ -273,7 +273,7 @@ def test_the_steps_on_demand_are_the_run(name: str, data: st.DataObject, rows: l
         assert {key: value for key, value in bits.items() if key not in specials} == {
             key: value for key, value in scan.after.bits.items() if key not in specials
         }
-        assert scan.steps == type(scan)(code, scan.domain, scan.number, 0, scan.inputs, scan.before, scan.after).steps
+        assert scan.steps == type(scan)(code, scan.domain, scan.number, 0, scan.inputs, scan.before, scan.ms).steps
 
 
 @pytest.mark.parametrize("name", MENU)

@@ -16,19 +16,32 @@ if TYPE_CHECKING:
 
 @finds("COI001", PROGRAM_RULES)
 def double_coil(program: Program, row: Rule) -> Iterator[Diagnostic]:
-    """A bit has two coils; a bistable written out, which reads its first coil before the second, is no mistake."""
-    first_at: dict[str, tuple[int, Line]] = {}
+    """A bit has two coils, not each in a step of its own.
+
+    A bistable written out, which reads its first coil before the second, is no mistake.
+    """
+    coils: dict[str, list[tuple[int, str, Line]]] = {}
+    step = ""
     for number, network in enumerate(program.networks):
         read_since: set[str] = set()
         for line in network.lines:
+            step = _step(line, step)
             address = _coil(line)
             if not address:
                 read_since |= {bit.text for bit in line.bits}
                 continue
-            where, first = first_at.setdefault(address, (number, line))
-            if first is not line and not (address in read_since and where == number):
-                yield row.at(line.span, address=address, row=first.span.row)
+            known = coils.setdefault(address, [])
+            other = next((one for one in known if not (step and one[1] and one[1] != step)), None)
+            if other and not (address in read_since and other[0] == number):
+                yield row.at(line.span, address=address, row=other[2].span.row)
+            known.append((number, step, line))
             read_since.discard(address)
+
+
+def _step(line: Line, step: str) -> str:
+    """Give the step that a line belongs to, "" outside of all."""
+    names = {verb.name for verb in line.insn.then}
+    return line.text if "step" in names else "" if "rail" in names else step
 
 
 @finds("COI002", PROGRAM_RULES)

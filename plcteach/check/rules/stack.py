@@ -141,6 +141,19 @@ def not_inside_parentheses(walk: Walk, row: Rule) -> Iterator[Diagnostic]:
             yield row.at(move.line.span, word=move.line.text)
 
 
+@finds("STK013", STACK_RULES)
+def after_compound_output(walk: Walk, row: Rule) -> Iterator[Diagnostic]:
+    """A network goes on behind an output that reads several flows and pops none (families that end a network there)."""
+    if not walk.dialect.compound_ends:
+        return
+    for number, move in enumerate(walk.moves[:-1]):
+        flows = [take for clause in move.line.effect.clauses for take in clause.takes]
+        if len(flows) > 1 and move.line.insn.then:
+            after = walk.moves[number + 1].line
+            yield row.at(after.span, word=after.text, row=move.line.span.row, unit=walk.dialect.unit)
+            return
+
+
 @finds("STK010", STACK_RULES)
 def value_dropped(walk: Walk, row: Rule) -> Iterator[Diagnostic]:
     """A value is thrown away before anything has used it; the cell that a pop overwrites on purpose is no loss."""
