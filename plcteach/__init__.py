@@ -25,6 +25,8 @@ _WORDS = {
     "illustrate": "figure.verbs",
     "strip": "figure.verbs",
     "draw": "figure.verbs",
+    "chart": "figure.verbs",
+    "face": "figure.verbs",
     "explain": "check.manual",
     "play": "widgets.verbs",
     "bench": "widgets.verbs",

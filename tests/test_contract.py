@@ -317,7 +317,7 @@ def folder(tmp_path) -> Path:
 def test_lint_of_a_folder_takes_what_people_have_and_reports_what_is_no_program(call, folder) -> None:
     done = call("lint", str(folder), "--dialect", "s7-200", "--json")
     found = {name: [one["code"] for one in each] for name, each in done.json().items()}
-    assert found.pop("b fx.csv")[0] == "RDR017"
+    assert "RDR017" in found.pop("b fx.csv")
     assert found == {
         "a right.awl": [],
         "c symbols.txt": ["SYM003"],
@@ -866,8 +866,9 @@ def test_program_lint_of_a_folder_is_left_cleanly_with_ctrl_c(tmp_path) -> None:
     """At a terminal: the bar appears, Ctrl-C is pressed, and there is no traceback."""
     pty = pytest.importorskip("pty")
     for number in range(3_000):
-        (tmp_path / f"{number:04}.stl").write_text(BLOCKS * 20, encoding="utf-8")
+        (tmp_path / f"{number:04}.stl").write_text(BLOCKS, encoding="utf-8")
     screen, terminal = pty.openpty()
+    pytest.importorskip("termios").tcsetwinsize(terminal, (24, 80))
     code = "import signal; signal.signal(2, signal.default_int_handler); from plcteach.cli import script; script()"
     with subprocess.Popen(
         [sys.executable, "-W", "error", "-c", code, "lint", str(tmp_path)],

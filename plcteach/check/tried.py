@@ -40,7 +40,9 @@ def _beyond(program: Program, line: Line, clocks: set[str]) -> bool:
         return True
     return any(
         isinstance(arg, Compare)
-        or (isinstance(arg, Address) and (arg.size != 1 or arg.text in clocks or program.dialect.block(arg) is not None))
+        or (
+            isinstance(arg, Address) and (arg.size != 1 or arg.text in clocks or program.dialect.block(arg) is not None)
+        )
         for arg in line.args
     )
 

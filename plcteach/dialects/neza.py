@@ -195,6 +195,7 @@ NEZA = Dialect(
     samples_edges_at_start=True,  # an %M written in scan n shows its edge in scan n+1
     networks_by_title=False,
     heading="RUNG",
+    recognised=frozenset({"MCR", "MCS"}),
     blocks=(
         Block(
             "%TM", "timer", Text("定时器", "timer"), ("IN",), ("Q",), bit="Q", most=9999, stops=True, latches=True,

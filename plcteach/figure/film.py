@@ -9,18 +9,21 @@ from __future__ import annotations
 import json
 from dataclasses import dataclass, field
 from hashlib import sha256
+from itertools import chain
 from typing import TYPE_CHECKING, Any
 
 from plcteach.core.diagnostic import rule
 from plcteach.core.effect import Name
 from plcteach.core.text import Text, joined
+from plcteach.figure.face import face_changes
+from plcteach.figure.faces import Blocks
 from plcteach.figure.says import says
 from plcteach.machine.formula import Term, spelled, written
 from plcteach.machine.signals import ZERO
 from plcteach.machine.walk import Move, walks
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable
+    from collections.abc import Iterable, Iterator
 
     from plcteach.core.effect import Effect
     from plcteach.core.program import Program
@@ -28,6 +31,7 @@ if TYPE_CHECKING:
     from plcteach.machine.scan import Scan
     from plcteach.machine.signals import Column
     from plcteach.machine.step import Step
+    from plcteach.machine.store import Store
 
 MOST_STEPS = 2_000
 MOST_FORMULA_NODES = 120
@@ -61,10 +65,11 @@ def film(scans: Iterable[Scan[Column]], title: Text | None = None, *, rows: bool
 
     rows: number the lines by their rows in the text, as beside an editor, and not one after the other.
     """
-    shot = list(scans)
-    program = shot[0].program
+    waiting = iter(scans)
+    scan = next(waiting)
+    program = scan.program
     maker = _Maker(program, rows=rows)
-    for scan in shot:
+    for scan in chain([scan], waiting):
         if len(maker.steps) + len(program.lines) >= MOST_STEPS and maker.steps:
             title = joined((title or program.dialect.title, Text("（只放开头部分）", "(the beginning only)")))
             break
@@ -97,10 +102,18 @@ class _Maker:
     formulas: tuple[Step[Term], ...] = ()
     moves: tuple[Move, ...] = ()
     residues: dict[int, Text] = field(default_factory=dict)
+    faces: dict[str, dict[str, Any]] = field(default_factory=dict)
+    first_faces: list[dict[str, Any]] = field(default_factory=list)
+    blocks: Blocks = field(init=False)
+    held: dict[str, str] = field(default_factory=dict)
+    last: tuple[Column, ...] | None = None
+    kept_keys: dict[int, list[list[str]]] = field(default_factory=dict)
+    alive: list[Step[Column]] = field(default_factory=list)
     heights: list[int] = field(default_factory=list)
 
     def __post_init__(self) -> None:
         self.formulas = spelled(self.program)
+        self.blocks = Blocks(self.program)
         for walk in walks(self.program):
             self.moves += walk.moves
             if walk.leftover:
@@ -129,8 +142,25 @@ class _Maker:
         heads = {
             sum(len(one.lines) for one in self.program.networks[:at]) for at in range(1, len(self.program.networks))
         }
-        for number, step in enumerate(scan.steps):
-            self.step(scan, number, step, starts=number in heads)
+        self.faced(self.steps[-1], scan.start())
+        self.last = None
+        self.kept_keys.clear()
+        self.alive.clear()
+        for step, plant in scan.walk():
+            self.alive.append(step)
+            self.blocks.look(step)
+            self.step(scan, step.number, step, starts=step.number in heads)
+            self.faced(self.steps[-1], plant)
+
+    def faced(self, shot: dict[str, Any], store: Store[Column]) -> None:
+        """Add what the blocks show, where it is no longer what they showed before."""
+        for face in self.blocks.faces(store):
+            now = face.as_dict()
+            if face.address not in self.faces:
+                self.first_faces.append(now)
+            elif changes := face_changes(self.faces[face.address], now):
+                shot.setdefault("faces", {})[face.address] = changes
+            self.faces[face.address] = now
 
     @property
     def dialect(self) -> Dialect:
@@ -158,16 +188,16 @@ class _Maker:
         return self.texts.setdefault(text, len(self.texts)) if text else -1
 
     def step(self, scan: Scan[Column], number: int, step: Step[Column], *, starts: bool) -> None:
-        swept: dict[str, str] = {}
-        if starts:
-            swept = self.new_network()
+        shown = {key for keys in self.keys for key in keys}
+        swept = self.new_network() if starts else {}
+        aside = self.put_aside(step)
         before = [list(keys) for keys in self.keys]
         shot: dict[str, Any] = {
             "line": number,
             "scan": scan.number,
             "from": {},
-            "enter": {},
-            "leave": swept,
+            "enter": dict.fromkeys((key for keys in self.keys for key in keys), "load") if aside else {},
+            "leave": aside | swept,
             "changed": [],
         }
         self.keys = [
@@ -175,15 +205,39 @@ class _Maker:
             for stack, origins in enumerate(step.flow.after)
         ]
         self.left(shot, before, step)
+        standing = {key for keys in self.keys for key in keys}
+        shot["enter"] = {key: how for key, how in shot["enter"].items() if key in standing}
+        shot["leave"] = {key: how for key, how in shot["leave"].items() if key in shown}
+        self.kept_keys[id(step.after[0])] = [list(keys) for keys in self.keys]
         values = [[repr(value) for value in stack] for stack in step.after]
         shot["cells"] = self.cells(values, number, step)
         shot["read"] = [[address.text, repr(value)] for address, value in step.read]
-        shot["write"] = [[address.text, repr(value)] for address, value in step.written]
+        shot["write"] = list(self.written(step))
         shot["say"] = says(self.dialect, step, first=not scan.before.scans).as_dict()
         warning = self.warning(number, step)
         if warning:
             shot["warn"] = warning.as_dict()
         self.steps.append({name: value for name, value in shot.items() if name == "cells" or value not in ({}, [])})
+
+    def put_aside(self, step: Step[Column]) -> dict[str, str]:
+        """A call puts the whole stack aside and begins another, a return brings the first one back; give the keys that go."""
+        main = step.before[0]
+        last, self.last = self.last, step.after[0]
+        kept = self.kept_keys.get(id(main))
+        if last is None or last is main or (not main and not self.keys[0]):
+            return {}
+        gone = dict.fromkeys((key for keys in self.keys for key in keys), "top")
+        self.keys = [list(keys) for keys in kept] if kept else [[self.new() for _ in cells] for cells in step.before]
+        return gone
+
+    def written(self, step: Step[Column]) -> Iterator[list[str]]:
+        """Give what a step wrote; of words and rows that were left as they were, nothing."""
+        quiet = {"work", "shift"} >= {verb.name for verb in step.line.insn.then}
+        for address, value in step.written:
+            said = repr(value)
+            if not quiet or self.held.get(address.text, "0") != said:
+                yield [address.text, said]
+            self.held[address.text] = said
 
     def new_network(self) -> dict[str, str]:
         """Between networks growing stacks are emptied, and what a fixed one still holds belongs to somebody else."""
@@ -274,6 +328,7 @@ class _Maker:
             "columns": [self.column(number) for number in range(len(self.dialect.stacks))],
             "texts": list(self.texts),
             "steps": self.steps,
+            **({"faces": self.first_faces} if self.first_faces else {}),
         }
 
     def column(self, number: int) -> dict[str, Any]:

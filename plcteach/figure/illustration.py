@@ -68,7 +68,10 @@ def illustration(dialect: str | Dialect, mnemonic: str | Line, number: int | Non
 
 def example(dialect: Dialect, words: str, number: int | None = None) -> Line:
     """Make a line of an instruction with operands such as a textbook would choose, where the words give none."""
-    mnemonic, *operands = words.split() or [""]
+    if words.upper() in dialect.words:
+        mnemonic, operands = words, []
+    else:
+        mnemonic, *operands = words.split() or [""]
     if operands:
         program = read(words, dialect)
         if program.runs and len(program.lines) == 1:

@@ -141,8 +141,13 @@ def spelled(program: Program) -> tuple[Step[Term], ...]:
     shapes, world, blank = program.dialect.shapes, Spelling(), name("x")
     stacks: Stacks[Term] = tuple((blank,) * shape.depth if shape.fixed else () for shape in shapes)
     steps: list[Step[Term]] = []
+    block = ""
     for network in program.networks:
         stacks = tuple(cells if shape.fixed else () for cells, shape in zip(stacks, shapes, strict=True))
+        if network.block != block:
+            block = network.block
+            called = (name("1"), *(name("0") for _ in range(shapes[0].depth - 1)))
+            stacks = (called if shapes[0].fixed else (), *stacks[1:])
         for line in network.lines:
             one = step(line, shapes, stacks, world, blank, number=len(steps))
             steps.append(one)

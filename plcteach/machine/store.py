@@ -9,7 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
-from plcteach.core.area import Address
+from plcteach.core.area import BYTE, Address
 from plcteach.core.program import Value
 from plcteach.machine.arithmetic import number_of
 from plcteach.machine.signals import Signal
@@ -107,7 +107,9 @@ class Store(Generic[S]):
         bits = self.dialect.bits_of(arg)
         if bits and arg.size > 1:
             whole = len(bits) >= (kind.size if kind else REGISTER if arg.field else 0)
-            return self.domain.join([self.bit(one) for one in bits], signed=whole and (not kind or kind.signed))
+            return self.domain.join(
+                [self.bit(one) for one in bits], signed=whole and (kind.signed if kind else arg.size > BYTE)
+            )
         return self._own(arg, kind.size if kind else arg.size, signed=not kind or kind.signed)
 
     def _own(self, arg: Address, size: int, *, signed: bool) -> Any:

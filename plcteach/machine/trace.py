@@ -20,6 +20,7 @@ from plcteach.machine.words import BITS, Domain
 from plcteach.machine.world import Plant
 
 if TYPE_CHECKING:
+    from plcteach.core.area import Address
     from plcteach.core.diagnostic import Diagnostic
     from plcteach.core.program import Program
     from plcteach.machine.step import Step
@@ -54,8 +55,16 @@ class Scan(Generic[S]):
     @cached_property
     def steps(self) -> tuple[Step[S], ...]:
         """Every step of this scan, executed again from the memory before it."""
+        return tuple(one for one, _ in self.walk())
+
+    def walk(self) -> Iterator[tuple[Step[S], Plant[S]]]:
+        """Execute the scan again, and give each step with the plant as it then is."""
         world = Plant(self.program, self.before, self.inputs, self.domain, self.ms)
-        return tuple(one for _, one in Course(world).steps())
+        return ((one, world) for _, one in Course(world).steps())
+
+    def start(self) -> Plant[S]:
+        """Give the plant as the scan finds it: inputs read, time passed, no line executed."""
+        return Plant(self.program, self.before, self.inputs, self.domain, self.ms)
 
     def __getitem__(self, address: str) -> Any:
         """Give a bit or a word as this scan left it; UnknownNameError if the family has no such address."""
@@ -142,11 +151,28 @@ class Trace:
 
     def edges(self, address: str) -> list[tuple[int, Any]]:
         """Give the moments (ms, the start of the scan) at which an address changed, each with its new value."""
+        place = address_of(self.program.dialect, address)
         found: list[tuple[int, Any]] = []
-        for start, value in zip(self.starts, self.values(address), strict=True):
+        for number in self._moments(place):
+            value = _Moment(self, number).value(place)
             if not found or found[-1][1] != value:
-                found.append((start, value))
+                found.append((self.starts[number], value))
         return found
+
+    def _moments(self, place: Address) -> list[int]:
+        """Give the scans in which an address may have changed."""
+        if not self.starts:
+            return []
+        dialect = self.program.dialect
+        named = {bit.text for bit in dialect.bits_of(place)} or {dialect.whole(place).text}
+        touched = [when for key, (when, _) in self.changes.items() if key in named or key.split(".")[0] in named]
+        if not touched and place.size != 1:
+            touched = [when for key, (when, _) in self.changes.items() if key.startswith(place.area)]
+        return sorted({0}.union(*touched))
+
+    def base(self, block: Address) -> int:
+        """Give the time base of a timer in ms."""
+        return _Moment(self, 0).base(self.program.dialect.whole(block))
 
 
 class _Moment(Store[Column]):

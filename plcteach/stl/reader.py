@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from plcteach.core.area import Address, Area
 from plcteach.core.diagnostic import MOST_FINDINGS, Diagnostic, few
 from plcteach.core.errors import nearest
-from plcteach.core.program import Assign, Line, Program
+from plcteach.core.program import Line, Program
 from plcteach.core.source import Span, decode
 from plcteach.core.text import NOTHING, Text
 from plcteach.dialects import dialect as find_dialect
@@ -116,7 +116,7 @@ class _Reading:
             return
         effect = insn.bare if insn.bare and not args else insn.effect
         numbers = {name.name: arg for name, arg in zip(insn.operands, args, strict=False) if isinstance(arg, int)}
-        said = args[0].text if args and isinstance(args[0], Assign) else spelled.said
+        said = self.section.said(insn, args, spelled)
         above, self.above = self.above + statement.above, ()
         line = Line(insn, args, effect.bind(numbers), span, statement.comment, above, said)
         self.section.after(line)

@@ -11,12 +11,13 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Literal
 
 from plcteach.core.area import Address
+from plcteach.core.program import Assign
 from plcteach.core.source import Span
 from plcteach.core.text import Text, same
 from plcteach.stl.words import Word
 
 if TYPE_CHECKING:
-    from plcteach.core.program import Line
+    from plcteach.core.program import Arg, Line
     from plcteach.core.spec import Insn
     from plcteach.stl.operands import Operands
 
@@ -47,7 +48,7 @@ class Section:
     @cached_property
     def glued(self) -> dict[str, Insn]:
         """The instructions to which their number is glued, by what stands before the number and after it."""
-        rows = (row for row in self.dialect.insns if len(row.operands) == 1)
+        rows = (row for row in self.dialect.insns if len(row.operands) == 1 and row.operands[0].number)
         return {row.word: row for row in rows if row.operands[0].mark and row.operands[0].mark == row.word.rstrip(":")}
 
     def numbered(self, words: list[Word]) -> re.Match[str] | None:
@@ -64,9 +65,8 @@ class Section:
         row = self.glued[match["mark"].upper() + match["colon"]]
         rest = words[2 if not words[0].text.endswith(":") and match["colon"] else 1 :]
         number = Word(match["mark"] + match["number"], words[0].span)
-        said = f"{row.operands[0].mark}{int(match['number'])}{match['colon']}"
         own = [replace(words[0], text=row.word), number]
-        return Spelled(own, said, tuple(rest)) if match["colon"] else Spelled([*own, *rest], said)
+        return Spelled(own, rest=tuple(rest)) if match["colon"] else Spelled([*own, *rest])
 
     def spelled(self, words: list[Word]) -> Spelled | None:
         """Give a statement with the block's address where the list leaves it out; None where it cannot stand here."""
@@ -74,8 +74,8 @@ class Section:
             return self.unglued(words)
         if words[0].text.startswith("[") and "[" in self.dialect.words:
             return Spelled([Word("[", words[0].span), *words])
-        if len(words) == 1 and words[0].text.upper() in {OUTPUTS, CLOSE} and self.dialect.blocks:
-            return self.bound(words[0])
+        if words[0].text.upper() in {OUTPUTS, CLOSE} & set(self.dialect.words):
+            return self.bound(words)
         if len(words) == 1 and words[0].text.upper() in self.pins:
             return self.pinned(words[0])
         if len(words) > 1 and words[1].text.upper() in self.fields and self.block:
@@ -95,16 +95,16 @@ class Section:
         """The names of all outputs of this family's blocks."""
         return frozenset(name for block in self.dialect.blocks for name in block.outputs)
 
-    def bound(self, word: Word) -> Spelled | None:
-        """Take OUT_BLK or END_BLK, which belong to the block that is open."""
-        said = word.text.upper()
+    def bound(self, words: list[Word]) -> Spelled | None:
+        """Take OUT_BLK or END_BLK, which belong to the block that is open and have no operand of their own."""
+        word, said = words[0], words[0].text.upper()
         if self.block is None:
             self.operands.say("BLK003", word.span, word=said)
             return None
         if said == OUTPUTS and self.part == "outputs":
             self.operands.say("BLK005", word.span, word=said, block=self.block.text)
             return None
-        return Spelled([word, Word(self.block.text, word.span)], said)
+        return Spelled([word, Word(self.block.text, word.span), *words[1:]], said)
 
     def pinned(self, word: Word) -> Spelled | None:
         """Take a pin's name standing alone."""
@@ -153,6 +153,13 @@ class Section:
         what = Text("输入", "inputs")
         self.operands.say("BLK004", words[0].span, word=insn.word, block=found.text, what=what, names=names)
         return False
+
+    def said(self, insn: Insn, args: tuple[Arg, ...], spelled: Spelled) -> str:
+        """Say how the list spells a line that is more than a mnemonic with its operands, "" for all others."""
+        first = args[0] if args else None
+        if insn.word in self.glued and isinstance(first, int):
+            return f"{insn.operands[0].mark}{first}{':' if insn.word.endswith(':') else ''}"
+        return first.text if isinstance(first, Assign) else spelled.said
 
     def after(self, line: Line) -> None:
         """Go on behind a line: into a block's section, to its outputs, out of it."""

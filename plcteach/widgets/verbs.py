@@ -16,18 +16,24 @@ if TYPE_CHECKING:
     from plcteach.core.exercise import Exercise
     from plcteach.core.program import Program
     from plcteach.core.spec import Dialect
+    from plcteach.machine.scan import Trace
 
 
 def play(
-    text: str | Program,
+    text: str | Program | Trace,
     dialect: str | Dialect | None = None,
-    inputs: Mapping[str, int] | Iterable[Mapping[str, int]] | None = None,
+    inputs: str | Mapping[str, int] | Iterable[Mapping[str, int]] | None = None,
     *,
+    at: float = 0,
+    scans: int | None = None,
     index: int = 0,
     size: float = 1.0,
 ) -> StackPlayer:
-    """Play a list or a ladder drawing: one scan with these inputs, or one for each mapping in a list."""
-    return StackPlayer(film_of(text, dialect, inputs), index=index, size=size)
+    """Play a list or a ladder drawing: one scan with these inputs, one for each mapping in a list, or a timeline.
+
+    at, scans: of a long run, begin so many seconds in and show so many scans.
+    """
+    return StackPlayer(film_of(text, dialect, inputs, at=at, scans=scans), index=index, size=size)
 
 
 def bench(

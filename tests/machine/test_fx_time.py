@@ -36,7 +36,11 @@ def values(trace, address: str) -> list[int]:
 
 
 class Timer:
-    """One timer: T0-199 100 ms, T200-245 10 ms, T246-249 1 ms retentive, T250-255 100 ms retentive, T256-511 1 ms."""
+    """One timer: T0-199 100 ms, T200-245 10 ms, T246-249 1 ms retentive, T250-255 100 ms retentive, T256-511 1 ms.
+
+    The time between two looks counts where the first of them found the coil driven [rec]: the scan that starts it adds nothing,
+    and the scan that stops a retentive one adds what has passed until then.
+    """
 
     def __init__(self, number: int, preset: int) -> None:
         self.base = 100 if number < 200 or 250 <= number < 256 else 10 if number < 246 else 1
@@ -44,12 +48,11 @@ class Timer:
         self.preset, self.ms, self.was, self.on = preset, 0, 0, 0
 
     def scan(self, dt: int, driven: int) -> tuple[int, int]:
-        if driven and self.was:
+        if self.was:
             self.ms = min(self.ms + dt, self.preset * self.base)
+        self.on |= int(self.ms >= self.preset * self.base)
         if not driven and not self.retentive:
             self.ms = self.on = 0
-        if driven and self.ms >= self.preset * self.base:
-            self.on = 1
         self.was = driven
         return self.ms // self.base, self.on
 
@@ -85,9 +88,9 @@ def test_the_contact_changes_where_out_t_stands_and_not_before() -> None:
 
 
 def test_a_timer_can_reset_itself_for_one_scan_each_time() -> None:
-    """LDI T0/OUT T0 K5: on for one scan; the next starts it again and adds nothing. At 100 ms a scan: 5 + 1 scans a round."""
+    """On for one scan; the next one clears it, and the one after that starts it and adds nothing: 5 + 2 scans a round."""
     trace = run(program("LDI T0/OUT T0 K5/LD T0/OUT Y0"), 20, scan_ms=100)
-    assert [number for number, on in enumerate(bits(trace, "Y0")) if on] == [5, 11, 17]
+    assert [number for number, on in enumerate(bits(trace, "Y0")) if on] == [5, 12, 19]
 
 
 # Counters.

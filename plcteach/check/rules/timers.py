@@ -16,7 +16,10 @@ if TYPE_CHECKING:
     from plcteach.core.spec import Dialect
 
 _RETENTIVE = "retentive"
-_TITLES = {True: Text("有记忆接通延时定时器", "retentive timer"), False: Text("没有记忆的定时器", "timer that is not retentive")}
+_TITLES = {
+    True: Text("有记忆接通延时定时器", "retentive timer"),
+    False: Text("没有记忆的定时器", "timer that is not retentive"),
+}
 
 
 @finds("TMR001", PROGRAM_RULES)
@@ -38,9 +41,7 @@ def number_shared(program: Program, row: Rule) -> Iterator[Diagnostic]:
     for line, timer, op in _driven(program):
         other, before = first.setdefault(timer.text, (line, op))
         if before != op and program.dialect.bank(timer).retains is (op == _RETENTIVE):
-            yield row.at(
-                line.span, address=timer.text, row=other.span.row, other=other.insn.word, word=line.insn.word
-            )
+            yield row.at(line.span, address=timer.text, row=other.span.row, other=other.insn.word, word=line.insn.word)
 
 
 def _tells_by_number(dialect: Dialect) -> bool:
