@@ -289,9 +289,6 @@ def test_lint_of_a_folder_without_errors_exits_0(call, tmp_path) -> None:
     assert (empty.code, empty.json()) == (0, {})
 
 
-TALL = "(" + " + ".join(f"(I0.{at % 8} · (I1.{at % 8}" for at in range(12)) + "))" * 12 + ") -> Q0.0"
-
-
 @pytest.fixture
 def folder(tmp_path) -> Path:
     """A teacher's folder: programs of several kinds, a symbol table, and files that are none."""
@@ -303,7 +300,7 @@ def folder(tmp_path) -> Path:
         "b fx.csv": '"MAIN"\n"0"\t""\t"LD"\t"X0"\n"1"\t""\t"ANI"\t"X1"\n"2"\t""\t"OUT"\t"Y0"\n'.encode("utf-16"),
         "c symbols.txt": "符号\t地址\n启动\tI0.0\n启动\tI0.1\n".encode("gbk"),
         "d project.mwp": b"MWP\x00\x01\x02" * 100,
-        "e drawing.txt": TALL.encode(),
+        "e drawing.txt": "NOT·I0.0 -> Q0.0".encode(),
         "李雷/f.stl": UNDERFLOW.encode(),
         "李雷/g.il": RESIDUE.encode(),
         "notes.md": b"# LD",

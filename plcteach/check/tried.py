@@ -15,7 +15,7 @@ from plcteach.machine.lanes import Lanes, lanes
 from plcteach.machine.scan import run
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Mapping
+    from collections.abc import Iterator
 
     from plcteach.core.diagnostic import Diagnostic
     from plcteach.core.program import Line, Program
@@ -87,7 +87,7 @@ def _differing(both: tuple[Lanes, ...], outputs: tuple[str, ...], scan: int) -> 
 
 def _different(
     programs: tuple[Program, Program],
-    rows: tuple[Mapping[str, Any], ...],
+    rows: tuple[Row, ...],
     outputs: tuple[str, ...],
     beside: tuple[Diagnostic, ...],
 ) -> Verdict:

@@ -28,6 +28,7 @@ def parser_of_all() -> argparse.ArgumentParser:
     family = argparse.ArgumentParser(add_help=False)
     family.add_argument("--dialect", choices=names(), help=f"PLC family (default {names()[0]})")
     reading = argparse.ArgumentParser(add_help=False, parents=[common, family])
+    reading.add_argument("--symbols", metavar="FILE", help="a symbol table (tab-separated: name, address, comment)")
     reading.add_argument("--encoding", help="encoding to try after UTF-8 (then GBK, cp1252)")
     verbs = parser.add_subparsers(title="verbs", metavar="VERB")
     _judging_verbs(verbs, reading)
@@ -36,11 +37,17 @@ def parser_of_all() -> argparse.ArgumentParser:
     return parser
 
 
+_INPUTS = (
+    'JSON, a list with one object a scan: [{"I0.0": 1, "ms": 10}, {}], where an input not named keeps its value; '
+    "or a timeline: I0.0: 1s off, 0.2s on, off"
+)
+
+
 def _judging_verbs(verbs: Any, reading: argparse.ArgumentParser) -> None:
 
     one = _verb(verbs, "run", verbs_of.run_verb, [reading], "run a program scan by scan")
     one.add_argument("file", help="the program; - for standard input")
-    what = 'JSON: a list with one object a scan, {"I0.0": 1, "ms": 10}; an input not named keeps its value'
+    what = _INPUTS
     one.add_argument("--inputs", help=what)
     one.add_argument("--watch", help="addresses to print, separated by commas (default: all outputs)")
     one.add_argument("--scan-ms", type=int, default=10, help="length of a scan in ms (default 10)")
@@ -89,17 +96,26 @@ def _showing_verbs(verbs: Any, common: argparse.ArgumentParser, family: argparse
 
 
 def _making_verbs(verbs: Any, common: argparse.ArgumentParser, reading: argparse.ArgumentParser) -> None:
+    one = _verb(verbs, "chart", verbs_of.chart_verb, [reading], "draw the timing chart of a run")
+    one.add_argument("file", help="the program; - for standard input")
+    one.add_argument("--inputs", help=_INPUTS)
+    one.add_argument("--watch", help="addresses to draw, separated by commas (default: inputs, timers, outputs)")
+    one.add_argument("--scan-ms", type=int, default=10, help="length of a scan in ms (default 10)")
+    one.add_argument("-o", "--output", type=Path, help=".svg, .pdf or .png (default: SVG to standard output)")
+
     one = _verb(verbs, "play", verbs_of.play_verb, [reading], "write a player page that needs no kernel and no network")
     one.add_argument("file", help="the program; - for standard input")
     one.add_argument(
-        "--inputs", help="JSON, as for run (default: one scan with inputs that tell the instructions apart)"
+        "--inputs", help="as for run (default: one scan with inputs that tell the instructions apart)"
     )
+    one.add_argument("--at", type=float, default=0, metavar="SECONDS", help="begin so many seconds into the run")
+    one.add_argument("--scans", type=int, help="how many scans to show (default: all that have room)")
     one.add_argument("-o", "--output", type=Path, required=True, help="the page, such as player.html")
 
     one = _verb(verbs, "sheet", verbs_of.sheet_verb, [reading], "write a worksheet: an empty stack table as PDF")
     one.add_argument("file", help="the program; - for standard input")
     one.add_argument("-o", "--output", type=Path, required=True, help="the PDF")
-    one.add_argument("--inputs", help="JSON, as for run; its first scan is used (default: chosen to tell AND from OR)")
+    one.add_argument("--inputs", help="as for run; its first scan is used (default: chosen to tell AND from OR)")
     one.add_argument("--key", action="store_true", help="with the answers filled in")
 
     one = _verb(verbs, "lab", verbs_of.lab_verb, [common], "open the lessons in JupyterLab")

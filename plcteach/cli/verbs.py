@@ -42,15 +42,18 @@ def run_verb(options: argparse.Namespace) -> int:
         else:
             print_findings(found, program)
         return WRONG
-    trace = run(program, scans_of(options.inputs), scan_ms=options.scan_ms)
+    trace = run(program, scans_of(options.inputs, program, options.scan_ms), scan_ms=options.scan_ms)
     watched = watched_of(options.watch, program)
-    rows = [{name: plain(repr(scan[name])) for name in watched} for scan in trace.scans]
-    if options.json:
+    columns = {name: trace.values(name) for name in watched}
+    rows = [{name: plain(repr(values[scan])) for name, values in columns.items()} for scan in range(len(trace.starts))]
+    if options.json and errors(trace.diagnostics):
+        print_json({"diagnostics": [finding_json(one) for one in trace.diagnostics]})
+    elif options.json:
         print_json(rows)
     else:
         print_table([say("扫描", "scan"), *watched], [[number, *row.values()] for number, row in enumerate(rows)])
         print_findings(trace.diagnostics, program)
-    return RIGHT
+    return WRONG if errors(trace.diagnostics) else RIGHT
 
 
 def lint_verb(options: argparse.Namespace) -> int:
@@ -104,12 +107,29 @@ def check_verb(options: argparse.Namespace) -> int:
     return RIGHT if verdict.status == "equal" else WRONG
 
 
+def chart_verb(options: argparse.Namespace) -> int:
+    """Draw the timing chart of a run."""
+    from plcteach.figure.charts import chart_of
+
+    program = _sound(options)
+    if program is None:
+        return WRONG
+    trace = run(program, scans_of(options.inputs, program, options.scan_ms), scan_ms=options.scan_ms)
+    shown = watched_of(options.watch, program) if options.watch else []
+    return _drawn(chart_of(trace, shown), options)
+
+
 def figure_verb(options: argparse.Namespace) -> int:
     """Draw an instruction's before/after figure."""
     from plcteach.figure.stack import illustrate
+
+    return _drawn(illustrate(family_of(options), options.mnemonic.upper(), options.number), options)
+
+
+def _drawn(scene: Any, options: argparse.Namespace) -> int:
+    """Write a picture to the file that was asked for, else as SVG to standard output."""
     from plcteach.figure.svg import svg
 
-    scene = illustrate(family_of(options), options.mnemonic.upper(), options.number)
     if options.output is None:
         print(svg(scene, language()))
     elif options.output.suffix == ".svg":
@@ -148,16 +168,16 @@ def _sound(options: argparse.Namespace) -> Program | None:
 
 def play_verb(options: argparse.Namespace) -> int:
     """Write a player page."""
-    from plcteach.figure.film import film
     from plcteach.figure.table import telling_inputs
+    from plcteach.figure.verbs import film_of
     from plcteach.publish import player_page
 
     program = _sound(options)
     if program is None:
         return WRONG
     name = Path(options.file).name if options.file != "-" else ""
-    scans = scans_of(options.inputs) if options.inputs else [telling_inputs(program)]
-    shot = film(run(program, scans).scans, same(name) if name else None)
+    scans = scans_of(options.inputs, program) if options.inputs else [telling_inputs(program)]
+    shot = film_of(run(program, scans), at=options.at, scans=options.scans, title=same(name) if name else None)
     options.output.write_text(player_page(shot), encoding="utf-8")
     print(options.output)
     return RIGHT
@@ -174,7 +194,7 @@ def sheet_verb(options: argparse.Namespace) -> int:
     program = _sound(options)
     if program is None:
         return WRONG
-    inputs: dict[str, int] | None = dict(*scans_of(options.inputs)[:1]) if options.inputs else None
+    inputs: dict[str, int] | None = dict(*scans_of(options.inputs, program)[:1]) if options.inputs else None
     save_pages(sheet(program, key=options.key, inputs=inputs), options.output, language())
     print(options.output)
     return RIGHT

@@ -993,6 +993,19 @@ _ROWS = (
             "Calls nest eight deep; a subroutine that calls itself uses them up quickly.",
         ),
     ),
+    Rule(
+        "RUN004",
+        "step-counter-at-its-end",
+        "warning",
+        Text(
+            "{block}已经在头一步或最后一步，再往外走一步不起作用，它停在那里。是不是该先复位？",
+            "{block} stands at its first or last step and was asked to go beyond it; it stays there. Should it be reset first?",
+        ),
+        Text(
+            "步进计数器有256位，从第0步到第255步；到了头不会绕回去。",
+            "A step counter has 256 steps, 0 to 255, and does not go round at either end.",
+        ),
+    ),
     # CHK: beside the reference
     Rule(
         "CHK001",

@@ -13,10 +13,10 @@ from plcteach.core.spec import RELATIONS, Dialect, Limit, Sample, Stack, insn
 from plcteach.core.text import Text
 from plcteach.core.verb import END, clear, coil, drive, go, reset, set_, shift, work
 
-_SIZES = (("", "word", "", ""), ("D", "dword", "（32位）", ", 32 bits"))
+_SIZES = (("", "word", "", ""), ("D", "dword", "（32位）", " (32 bits)"))
 """The letter before a mnemonic, the width it works on, and what its title says of that."""
 
-_PULSES = (("", "a", "", ""), ("P", "rise(a)", "（脉冲执行）", ", once when the result rises"))
+_PULSES = (("", "a", "", ""), ("P", "rise(a)", "（脉冲执行）", " (pulse)"))
 """The letter behind a mnemonic, when it is executed, and what its title says of that."""
 
 _FORMS = tuple((d, size, p, when, dz + pz, de + pe) for d, size, dz, de in _SIZES for p, when, pz, pe in _PULSES)
@@ -61,10 +61,10 @@ INSTRUCTIONS = (
     insn("OUT T", "T:timer SV:preset", "a -- a", then=drive("on", "T", "IN=a", "SV"), zh="定时器线圈", en="timer coil"),
     insn("OUT C", "C:counter SV:preset", "a -- a", then=drive("upto", "C", "CU=a", "SV"), zh="计数器线圈", en="counter coil"),
     # what the rail is fed by
-    insn("MC", "n:N0..7 out:pulse", "a -- a", then=go("master", "a", "n"), zh="主控", en="master control: the rail behind it has power only where the result is 1"),
+    insn("MC", "n:N0..7 out:pulse", "a -- a", then=go("master", "a", "n"), zh="主控", en="master control"),
     insn("MCR", "n:N0..7", "--", then=go("restore", "", "n"), zh="主控复位", en="master control reset"),
-    insn("STL", "bit:state", "a? -- bit", then=go("step", "bit", "bit"), zh="步进触点（步的开始）", en="step ladder contact: begin a step"),
-    insn("RET", "", "--", then=go("rail"), zh="步进返回", en="return from the step ladder to the rail"),
+    insn("STL", "bit:state", "a? -- bit", then=go("step", "bit", "bit"), zh="步进触点（步的开始）", en="step ladder contact"),
+    insn("RET", "", "--", then=go("rail"), zh="步进返回", en="end of the step ladder"),
     # two words compared read as a contact
     *(
         insn(
@@ -81,11 +81,11 @@ INSTRUCTIONS = (
     # words
     *(insn(f"{d}MOV{p}", f"S:{size} D:{size}_out", "a -- a", then=work("move", "S", "D", when), zh=f"传送{zh}", en=f"move{en}") for d, size, p, when, zh, en in _FORMS),
     *(
-        insn(f"{d}CMP{p}", f"S1:{size} S2:{size} D:out", "a -- a", then=work("compare", "S1 S2", "D", when), zh=f"比较{zh}", en=f"compare: three bits say greater, equal, less{en}")
+        insn(f"{d}CMP{p}", f"S1:{size} S2:{size} D:out", "a -- a", then=work("compare", "S1 S2", "D", when), zh=f"比较{zh}", en=f"compare{en}")
         for d, size, p, when, zh, en in _FORMS
     ),
     *(
-        insn(f"{d}ZCP{p}", f"S1:{size} S2:{size} S:{size} D:out", "a -- a", then=work("compare", "S1 S2 S", "D", when), zh=f"区间比较{zh}", en=f"zone compare: three bits say below, within, above{en}")
+        insn(f"{d}ZCP{p}", f"S1:{size} S2:{size} S:{size} D:out", "a -- a", then=work("compare", "S1 S2 S", "D", when), zh=f"区间比较{zh}", en=f"compare with a zone{en}")
         for d, size, p, when, zh, en in _FORMS
     ),
     *(
@@ -96,8 +96,8 @@ INSTRUCTIONS = (
     *(
         insn(f"{word}{p}", "S1:word S2:word D:dword_out", "a -- a", then=work(op, "S1 S2", "D", when), zh=f"{name}{zh}", en=f"{english}{en}")
         for word, op, name, english in (
-            ("MUL", "product", "乘法（积为32位）", "multiply: the product has 32 bits"),
-            ("DIV", "parts", "除法（商在D，余数在D+1）", "divide: the quotient in D, the remainder in the word after it"),
+            ("MUL", "product", "乘法（积为32位）", "multiply (32-bit product)"),
+            ("DIV", "parts", "除法（商在D，余数在D+1）", "divide (quotient, and the remainder after it)"),
         )
         for p, when, zh, en in _PULSES
     ),
@@ -111,11 +111,11 @@ INSTRUCTIONS = (
             f"{word}{p}", "S:bit D:out n1:K1..1024 n2:K1..1024", "a -- a", then=shift(op, "S n1 n2", "D", when),
             zh=f"{name}{zh}", en=f"{english}{en}",
         )
-        for word, op, name, english in (("SFTL", "left", "位左移", "shift n1 bits up by n2"), ("SFTR", "right", "位右移", "shift n1 bits down by n2"))
+        for word, op, name, english in (("SFTL", "left", "位左移", "shift bits up"), ("SFTR", "right", "位右移", "shift bits down"))
         for p, when, zh, en in _PULSES
     ),
     *(
-        insn(f"ZRST{p}", "D1:clear D2:clear", "a -- a", then=clear(when, "D1", "D2"), zh=f"区间复位{zh}", en=f"reset everything from D1 to D2{en}")
+        insn(f"ZRST{p}", "D1:clear D2:clear", "a -- a", then=clear(when, "D1", "D2"), zh=f"区间复位{zh}", en=f"reset a range{en}")
         for p, when, zh, en in _PULSES
     ),
     insn("NOP", "", "--", zh="空操作", en="no operation"),
@@ -256,5 +256,6 @@ FX = Dialect(
         Sample("RDR001", "LD X0; ORR X1; OUT Y0", "LD X0; ORI X1; OUT Y0"),
         Sample("RDR006", "LD X8; OUT Y0", "LD X10; OUT Y0"),
         Sample("RDR007", "LD X0; OUT X1", "LD X0; OUT Y1"),
+        Sample("RDR019", "LD D0; OUT Y0", "LD> D0 K0; OUT Y0"),
     ),
 )  # fmt: skip

@@ -221,7 +221,7 @@ NEZA = Dialect(
             settings={"TYPE": Setting("FIFO", {"FIFO": "first", "LIFO": "last"})},
         ),
     ),
-    flags={"out": "%S17", "overflow": "%S18"},
+    flags={"out": "%S17", "overflow": "%S18", "divide": "%S18"},
     wraps=True,
     retentive={  # [rec]: timers begin anew
         "%M": ((0, 255),), "%MW": ((0, 255),), "%C": ((0, 15),), "%DR": ((0, 3),), "%SBR": ((0, 7),), "%SC": ((0, 7),), "%R": ((0, 3),),

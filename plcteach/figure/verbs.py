@@ -33,6 +33,7 @@ if TYPE_CHECKING:
 
     from plcteach.core.program import Program
     from plcteach.core.spec import Dialect
+    from plcteach.core.text import Text
 
 MOST_TABLE_INPUTS = 6
 
@@ -135,6 +136,7 @@ def film_of(
     *,
     at: float = 0,
     scans: int | None = None,
+    title: Text | None = None,
 ) -> Film:
     """Make the film of one scan, or of several if `inputs` is a list with one mapping a scan, or a timeline.
 
@@ -149,7 +151,7 @@ def film_of(
         trace = run_program(program_of(text, dialect), rows)
     first = min(bisect_left(trace.starts, round(at * 1000)), len(trace.starts) - 1)
     last = len(trace.starts) if scans is None else first + max(1, scans)
-    return film(trace.scans[number] for number in range(first, min(last, len(trace.starts))))
+    return film((trace.scans[number] for number in range(first, min(last, len(trace.starts)))), title)
 
 
 @dataclass(frozen=True, slots=True)

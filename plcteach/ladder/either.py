@@ -13,12 +13,13 @@ from plcteach.stl import read
 
 if TYPE_CHECKING:
     from plcteach.core.spec import Dialect
+    from plcteach.stl.symbols import Symbols
 
 
-def read_either(text: str, dialect: str | Dialect) -> Program:
+def read_either(text: str, dialect: str | Dialect, symbols: Symbols | None = None) -> Program:
     """Read a list, or lower a drawing; a drawing with an error gives a program without lines and with its findings."""
     if not is_drawing(text):
-        return read(text, dialect)
+        return read(text, dialect, symbols=symbols)
     family = find_dialect(dialect)
     ladder, found = read_drawing(text)
     return Program(family, (), source=text, diagnostics=found) if errors(found) else read(lower(ladder, family), family)

@@ -83,6 +83,8 @@ def _flags(doing: Evaluation[Any], rule: Rule, power: Any, made: tuple[Any, Any,
         "carry": ~fits & exact.ge(zero),
         "divide": ~divides,
     }
+    if world.dialect.flags.get("divide") == world.dialect.flags.get("overflow"):
+        found |= dict.fromkeys(("overflow", "divide"), ~fits | ~divides)
     for name in rule.flags:
         if name in world.dialect.flags:
             flag = world.dialect.address(world.dialect.flags[name])
@@ -91,11 +93,12 @@ def _flags(doing: Evaluation[Any], rule: Rule, power: Any, made: tuple[Any, Any,
 
 
 def _fallen(doing: Evaluation[Any], rule: Rule, power: Any, words: list[Any]) -> None:
-    """Keep the bit that fell out last in the overflow flag; where none fell out the flag stays."""
+    """Keep the bit that fell out last, in a flag of its own or in that of an overflow; where none fell out the flag stays."""
     world, domain, out = doing.world, doing.world.domain, rule.out
-    if out is None or "overflow" not in world.dialect.flags:
+    name = world.dialect.flags.get("out", world.dialect.flags.get("overflow"))
+    if out is None or name is None:
         return
-    flag = world.dialect.address(world.dialect.flags["overflow"])
+    flag = world.dialect.address(name)
     one = domain.number(1)
     falls = domain.apply(lambda value, count: int(out(value, count) is not None), *words).eq(one)
     bit = domain.apply(lambda value, count: out(value, count) or 0, *words).eq(one)

@@ -21,6 +21,9 @@ if TYPE_CHECKING:
 
 Pins = dict[str, Any]
 
+AT_END = "!end"
+"""Behind a step counter's name: whether it was asked to go beyond its first or last step in this scan."""
+
 
 def driven(doing: Evaluation[Any], op: str, target: Address, pins: Pins, preset: Arg | None) -> None:
     """Let a block act on its pins; a pin that is not among them takes no part this time."""
@@ -59,7 +62,7 @@ def _risen(doing: Evaluation[Any], target: Address, pins: Pins, name: str) -> An
         return doing.world.domain.zero
     key = f"{target.text}<{name}"
     doing.kept.append((key, pins[name]))
-    return pins[name].edge(doing.world.remembered(key), rising=True)
+    return pins[name].edge(doing.world.remembered(key, pins[name]), rising=True)
 
 
 def clock_of(world: Any, target: Address) -> Clock:
@@ -167,12 +170,15 @@ def _bits(doing: Evaluation[Any], op: str, target: Address, pins: Pins, preset: 
 
 
 def _steps(doing: Evaluation[Any], op: str, target: Address, pins: Pins, preset: Arg | None) -> None:
-    """Move a step counter; which of its bits is 1 is read from its step."""
+    """Move a step counter; which of its bits is 1 is read from its step. A step beyond either end is noted."""
     del op, preset
     domain = doing.world.domain
     both = {"R": pins.get("R", domain.zero)} | {name: _risen(doing, target, pins, name) for name in ("CU", "CD")}
     key = f"{target.text}.S"
-    doing.numbers.append((key, registers.stepped(domain, doing.world.number(key), both)))
+    before = doing.world.number(key)
+    after = registers.stepped(domain, before, both)
+    doing.numbers.append((key, after))
+    doing.kept.append((f"{target.text}{AT_END}", (both["CU"] ^ both["CD"]) & ~both["R"] & after.eq(before)))
 
 
 def _queue(doing: Evaluation[Any], op: str, target: Address, pins: Pins, preset: Arg | None) -> None:

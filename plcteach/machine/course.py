@@ -72,6 +72,7 @@ class Course(Generic[S]):
                     cells if shape.fixed else () for cells, shape in zip(self.stacks, self.shapes, strict=True)
                 )
             self.rails.before(lines[number], lines[number - 1] if number else None)
+            self.land(number)
             run = self.running()
             if run == domain.zero and number not in self.plan.wakes:
                 continue
@@ -146,9 +147,9 @@ class Course(Generic[S]):
         self.waiting[target] = taken if was is None else was | taken
         self.less(taken)
 
-    def label(self, _verb: Verb, one: Step[S], _power: S | None) -> None:
-        """Let those go on that have jumped here."""
-        waiting = self.waiting.pop(one.number, None)
+    def land(self, number: int) -> None:
+        """Let those go on that have jumped to this line."""
+        waiting = self.waiting.pop(number, None)
         if waiting is None or self.run is None:
             return
         self.run = self.run | waiting
@@ -282,6 +283,8 @@ class Course(Generic[S]):
 
     def end(self) -> None:
         """End the scan: steps that were left go off; a CPU that has gone to STOP switches its outputs off."""
+        if self.plan.lines:
+            self.world.at(len(self.plan.lines) - 1, len(self.plan.lines))
         self.rails.end()
         if self.world.stopped is not None:
             for area in self.world.dialect.areas:
@@ -304,7 +307,7 @@ class Course(Generic[S]):
 
 _ASKED: dict[str, Callable[[Any, Verb, Any, Any], None]] = {
     "jump": Course.jump,
-    "label": Course.label,
+    "label": lambda *_: None,
     "call": Course.call,
     "return": Course.leave,
     "end": Course.finish,

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any, ClassVar
 from plcteach.machine.course import Course, Mixed
 from plcteach.machine.plan import plan_of
 from plcteach.machine.signals import ONE, ZERO, Column
-from plcteach.machine.store import Memory
+from plcteach.machine.store import PIN, Memory
 from plcteach.machine.words import BITS, Domain, Number
 from plcteach.machine.world import Plant
 
@@ -172,9 +172,9 @@ class _Plant(Plant[Code]):
         del ms
         return Code("dt", self.domain.text)  # type: ignore[attr-defined]
 
-    def share(self, line: int, of: int) -> Code:
+    def share(self, first: int, stop: int, of: int) -> Code:
         text = self.domain.text  # type: ignore[attr-defined]
-        return Code(text.put(f"dt * {line + 1} // {of} - dt * {line} // {of}"), text)
+        return Code(text.put(f"dt * {stop} // {of} - dt * {first} // {of}"), text)
 
 
 def _clock(address: str, specials: Mapping[str, str]) -> str:
@@ -232,6 +232,8 @@ class Generated:
             raise Unsure
         known = {*self.fed, *self.program.dialect.specials}
         new = [key for key in after.bits if key not in known and key not in before.bits]
+        if any(PIN in key for key in new):
+            raise Unsure
         numbers = [key for key in after.words if key not in known and key not in before.words]
         if new or numbers:
             self.bits, self.words = (*self.bits, *new), (*self.words, *numbers)

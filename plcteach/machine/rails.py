@@ -83,7 +83,7 @@ class Rails(Generic[S]):
         Which steps were on is remembered by line, because a relay may begin several stretches of a program.
         """
         self.world.rail = power
-        key = f"{bit.text}<step{number}"
+        key = f"{bit.text}.step{number}"
         gate = power | self.world.kept(key)
         self.gate, self.stepping = None if gate == self.world.domain.one else gate, True
         self.world.bits[key] = power

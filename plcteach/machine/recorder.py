@@ -9,21 +9,27 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from plcteach.core.diagnostic import Diagnostic, rule
+from plcteach.machine.blocks import AT_END
 from plcteach.machine.generated import Generated, Unsure, bit_of
+from plcteach.machine.signals import ONE
+from plcteach.machine.signals import ONE, ZERO
 from plcteach.machine.store import Memory
 from plcteach.machine.sweep import address_of, spread, sweep
 from plcteach.machine.trace import APART, Trace
 from plcteach.machine.words import BITS, Number
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from collections.abc import Iterator, Mapping
 
+    from plcteach.core.area import Address
     from plcteach.core.program import Program
     from plcteach.machine.signals import Column
     from plcteach.machine.step import Step
 
 PATIENCE = 24
 """So many scans run line by line before a program is written down; a short run never is."""
+
+_BITS = {0: ZERO, 1: ONE}
 
 
 class Recorder:
@@ -48,6 +54,7 @@ class Recorder:
         self.given: tuple[int, ...] = ()
         self.ticks: tuple[int, ...] = ()
         self.scans = self.now = self.first_ms = 0
+        self.named: dict[str, tuple[Address, bool]] = {}
 
     def scan(self, row: Mapping[str, Any]) -> None:
         """Run one scan."""
@@ -151,22 +158,39 @@ class Recorder:
         """Give the inputs of one scan: those that are held, and what is written only now."""
         once: dict[str, Any] = {}
         held: dict[str, Any] = {}
-        dialect = self.program.dialect
         for name, value in row.items():
             if name == "ms":
                 continue
-            place = address_of(dialect, name)
-            into = held if dialect.area(place).role == "input" else once
-            into |= spread(self.program, place, value)
+            place, given = self.named.get(name) or self.learn(name)
+            into = held if given else once
+            if place.size == 1 and value in _BITS and not place.field:
+                into[place.text] = _BITS[value]
+            else:
+                into |= spread(self.program, place, value)
         if held:
             self.held = self.held | held
         return {**self.held, **once} if once else self.held
+
+    def learn(self, name: str) -> tuple[Address, bool]:
+        """Find out what a name in the inputs stands for, once."""
+        place = address_of(self.program.dialect, name)
+        found = self.named[name] = place, self.program.dialect.area(place).role == "input"
+        return found
 
     def watch(self, _number: int, one: Step[Column]) -> None:
         """Note the first x at every address."""
         for address, value in one.written:
             if value.unknown and address.text not in self.found:
                 self.found[address.text] = rule("RUN001").at(one.line.span, address=address.text)
+
+    def ends(self) -> Iterator[Diagnostic]:
+        """Give each step counter that was asked to go beyond its ends, at the first line that drives it."""
+        asked = {key.removesuffix(AT_END) for key, (_, values) in self.changes.items() if key.endswith(AT_END) and ONE in values}
+        for line in self.program.lines:
+            for place in line.places:
+                if place.text in asked:
+                    asked.discard(place.text)
+                    yield rule("RUN004").at(line.span, block=place.text)
 
     def trace(self) -> Trace:
         """Give what the run leaves."""
@@ -177,7 +201,7 @@ class Recorder:
             self.checkpoints,
             self.changes,
             self.memory(),
-            tuple(self.found.values()),
+            (*self.found.values(), *self.ends()),
             self.scan_ms,
             self.first_ms,
         )

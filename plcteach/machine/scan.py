@@ -42,7 +42,8 @@ def warm(program: Program, memory: Memory[Column]) -> Memory[Column]:
     dialect = program.dialect
 
     def stays(key: str) -> bool:
-        whole = dialect.address(key.partition("<")[0].partition("#")[0].partition(".ms")[0].partition(".g")[0])
+        plain = key.partition("<")[0].partition("#")[0].partition(".ms")[0].partition(".g")[0]
+        whole = dialect.address(plain) or dialect.address(plain.rpartition(".")[0])
         if not isinstance(whole, Address):
             return False
         return any(first <= whole.index <= last for first, last in dialect.retentive.get(whole.area, ()))

@@ -46,6 +46,10 @@ class Memory(Generic[S]):
     stopped: S | None = None
 
 
+PIN, SEEN = "<", "?"
+"""What stands in the key of a pin's last value, and behind the key that says where there is one."""
+
+
 class Store(Generic[S]):
     """The bits and words of one moment, to be read."""
 
@@ -70,6 +74,9 @@ class Store(Generic[S]):
             step = self.number(f"{self.dialect.whole(address).text}.S")
             here: S = step.eq(self.domain.number(int(address.field)))
             return here
+        if block and block.rule == "queue" and address.field == "E":
+            empty: S = self.domain.number(0).ge(self.number(f"{self.dialect.whole(address).text}#"))
+            return empty
         if self.dialect.area(address).digits:
             bits: tuple[S, ...] = self.number(self.dialect.whole(address).text).bits(int(address.field) + 1)
             return bits[-1]
@@ -79,9 +86,10 @@ class Store(Generic[S]):
         """Give a bit by its key."""
         return self.bits.get(key, self.domain.zero)
 
-    def remembered(self, key: str) -> S | None:
-        """Give what a pin saw the last time; None: never before."""
-        return self.bits.get(key)
+    def remembered(self, key: str, value: S) -> S | None:
+        """Give what a pin saw the last time (None: never before); where it has not seen anything, its value now."""
+        last, seen = self.bits.get(key), self.bits.get(key + SEEN)
+        return last if last is None or seen is None else self.domain.pick(seen, last, value)  # type: ignore[no-any-return]
 
     def number(self, key: str) -> Any:
         """Give a number by its key."""
@@ -89,7 +97,9 @@ class Store(Generic[S]):
         return self.domain.number(self.initial(key)) if found is None else found
 
     def initial(self, key: str) -> int:
-        """Give what a number is at power-on: a configured preset, else 0."""
+        """Give what a number is at power-on: a configured preset, the number of a constant word, else 0."""
+        if key in self.program.settings:
+            return int(self.program.settings[key].get("", 0))  # type: ignore[arg-type]
         whole, _, name = key.rpartition(".")
         place = self.dialect.address(whole) if name == "P" else None
         return int(self.setting(place, "P")) if isinstance(place, Address) else 0
@@ -98,8 +108,8 @@ class Store(Generic[S]):
         """Give the number that an operand of this kind stands for."""
         if isinstance(arg, Value):
             number = number_of(arg, as_real=bool(kind and kind.real))
-            bits = number is not None and kind is not None and kind.signed and not kind.real
-            return self.domain.number(wrapped(number, kind.size) if bits else number)  # type: ignore[arg-type, union-attr]
+            whole_number = number is not None and kind is not None and kind.signed and not kind.real
+            return self.domain.number(wrapped(number, kind.size) if whole_number else number)  # type: ignore[arg-type, union-attr]
         if isinstance(arg, int):
             return self.domain.number(arg)
         if not isinstance(arg, Address):

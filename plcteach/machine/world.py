@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 from plcteach.machine.blocks import ticked_clock, timer_op
 from plcteach.machine.plan import plan_of
 from plcteach.machine.signals import Signal
-from plcteach.machine.store import REGISTER, Memory, Store
+from plcteach.machine.store import PIN, REGISTER, SEEN, Memory, Store
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -48,7 +48,7 @@ class Plant(Store[S]):
         self.stopped = memory.stopped
         self.open_block = ""
         self.pins: dict[str, S] = {}
-        self.line = 0
+        self.line = self.reached = 0
         self.clocks = plan_of(program).clocks
         self.tick("scan", self.dt)
         self.image = dict(self.bits)
@@ -88,18 +88,22 @@ class Plant(Store[S]):
                 self.words[f"{target.text}.ms"] = clock.ms
 
     def at(self, line: int, of: int) -> None:
-        """Come to a line; as if line i of n ran i/n of the way through the scan, the fastest timers move on a little."""
+        """Come to a line; as if line i of n ran i/n of the way through the scan, the fastest timers move on a little.
+
+        Lines that were passed over give their part to the next one, and a line that runs again gives none.
+        """
         self.line = line
-        if any(moment == "always" for _, _, moment in self.clocks):
-            self.tick("always", self.share(line, of))
+        if line >= self.reached and any(moment == "always" for _, _, moment in self.clocks):
+            self.tick("always", self.share(self.reached, line + 1, of))
+            self.reached = line + 1
 
     def lapse(self, ms: int) -> Any:
         """Give the time since the last scan as a number."""
         return self.domain.number(ms)
 
-    def share(self, line: int, of: int) -> Any:
-        """Give the part of that time that belongs to one line of so many."""
-        return self.domain.number(self.ms * (line + 1) // of - self.ms * line // of)
+    def share(self, first: int, stop: int, of: int) -> Any:
+        """Give the part of that time that belongs to some lines of so many."""
+        return self.domain.number(self.ms * stop // of - self.ms * first // of)
 
     def read(self, operand: Operand, address: Address) -> S:
         """Give the bit that an operand of this kind sees."""
@@ -113,7 +117,8 @@ class Plant(Store[S]):
         if self.dialect.samples_edges_at_start and address is not None:
             zero, last = self.domain.zero, self.memory.image
             return self.image.get(address.text, zero), None if last is None else last.get(address.text, zero)
-        return value, self.past_of_lines.get(self.line)
+        last, seen = self.past_of_lines.get(self.line), self.past_of_lines.get(~self.line)
+        return value, last if last is None or seen is None else self.domain.pick(seen, last, value)
 
     def following(self, address: Address, count: int) -> tuple[Address, ...]:
         """Give `count` addresses from this one on."""
@@ -123,17 +128,18 @@ class Plant(Store[S]):
 
     def keep(self, one: Step[S], run: S | None = None) -> None:
         """Take over what a step wrote and remembered; `run`: only where the line was executed at all."""
+        run = None if run == self.domain.one else run
         for address, value in one.written:
             self.store(address, value, run)
         for key, bit in one.kept:
-            self.bits[key] = bit if run is None else self.domain.pick(run, bit, self.bits.get(key, bit))
+            if PIN in key:
+                _remember(self, self.bits, (key, key + SEEN), bit, run)
+            else:
+                self.bits[key] = bit if run is None else self.domain.pick(run, bit, self.bits.get(key, bit))
         for key, number in one.numbers:
             self.words[key] = number if run is None else self.domain.pick(run, number, self.number(key))
         if one.remembered is not None:
-            old = self.past_of_lines.get(self.line, one.remembered)
-            self.past_of_lines[self.line] = (
-                one.remembered if run is None else self.domain.pick(run, one.remembered, old)
-            )
+            _remember(self, self.past_of_lines, (self.line, ~self.line), one.remembered, run)
 
     def store(self, address: Address, value: Any, run: S | None = None) -> None:
         """Write a bit or a word where it is kept."""
@@ -178,3 +184,21 @@ class Plant(Store[S]):
             self.memory.warm,
             self.stopped,
         )
+
+
+def _remember(world: Plant[S], into: dict[Any, S], keys: tuple[Any, Any], value: S, run: S | None) -> None:
+    """Keep what an edge saw last, where the line was executed; where it never was, there is nothing to compare with yet.
+
+    The second key says where it has been executed at all, as long as that is not everywhere.
+    """
+    key, seen_at = keys
+    old, seen = into.get(key), into.get(seen_at)
+    if run is None:
+        into[key] = value
+        into.pop(seen_at, None)
+    elif old is None:
+        into[key], into[seen_at] = value, run
+    else:
+        into[key] = world.domain.pick(run, value, old)
+        if seen is not None:
+            into[seen_at] = seen | run

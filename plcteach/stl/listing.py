@@ -86,9 +86,9 @@ class Layout:
             return None
         found = list(cells(row, self.delimiter))
         by_part: dict[Part, list[Cell]] = {"step": [], "statement": [], "instruction": [], "operand": [], "note": []}
-        for cell, part in zip(found, [*self.parts, *["note"] * len(found)], strict=False):
+        for at, cell in enumerate(found):
             if cell.text.strip():
-                by_part[_where(part, cell)].append(cell)
+                by_part[_where(self.parts[at] if at < len(self.parts) else "note", cell)].append(cell)
         instruction = by_part["instruction"]
         note = " ".join(cell.text.strip() for cell in by_part["note"])
         return Record(tuple(by_part["statement"]), (*instruction, *by_part["operand"]), note, begins=bool(instruction))

@@ -14,7 +14,8 @@ A case is prose and fenced blocks; each block is checked by what its first word 
                               (10ms) and when it ends (1 s after the last change); runs the program for the next block
     ```then                   what the scans of that run leave behind, in the same language, scan by scan: `Q0.0: 1s off, on`
                               is 0 in every scan that starts before 1 s and 1 from there on; words have numbers (`T37.V: 1s 0,
-                              10 x (100ms 1, 100ms 2), 5`); `at most 1 of Q0.0 Q0.1`; `says RUN001 at 3` for each finding
+                              10 x (100ms 1, 100ms 2), 5`); `at most 1 of Q0.0 Q0.1`; `says RUN001 at 3` for each finding;
+                              `turns every 500ms: Q0.0`: it is on and off for so long by turns, whichever comes first
     ```figure s7-200 LDS 3    the before and after columns of an instruction, top first
     ```ladder                 a drawing that lowers to the program
     ```lint                   everything that is said: `error STK003 at 6`, or `nothing`
@@ -253,7 +254,7 @@ def check_then(block: Block, trace: Trace) -> None:
     rows = [row.strip() for row in block.rows if row.strip()]
     said = [row.removeprefix("says ") for row in rows if row.startswith("says ")]
     assert [f"{one.code} at {one.span.row}" for one in trace.diagnostics] == said
-    courses = [row for row in rows if not row.startswith(("says ", "at most "))]
+    courses = [row for row in rows if not row.startswith(("says ", "at most ", "turns "))]
     told = timeline("\n".join(courses), trace.program.dialect, until_ms=trace.starts[-1], scan_ms=1)
     assert not told.diagnostics, told.diagnostics
     for course in told.rows:
@@ -267,6 +268,10 @@ def check_then(block: Block, trace: Trace) -> None:
     for most, places in (row.removeprefix("at most ").split(" of ") for row in rows if row.startswith("at most ")):
         on = zip(*(trace[place] for place in places.split()), strict=True)
         assert max(values.count("1") for values in on) <= int(most)
+    for every, place in (row.removeprefix("turns every ").split(": ") for row in rows if row.startswith("turns every ")):
+        changes = [ms for ms, _ in trace.edges(place)][1:]
+        assert len(changes) > 1
+        assert {b - a for a, b in zip(changes, changes[1:], strict=False)} == {milliseconds(every)}
 
 
 def check_figure(block: Block, _program: object) -> None:

@@ -166,7 +166,10 @@ def test_a_ladder_of_steps_with_a_selection_and_a_parallel_branch() -> None:
         {"S0"},
         {"S0"},
     ]
-    assert [scan for scan, both in enumerate(trace["Y6"]) if both == "1"] == [1, 12]  # within the scan of a transfer both are
+    assert [scan for scan, both in enumerate(trace["Y6"]) if both == "1"] == [
+        1,
+        12,
+    ]  # within the scan of a transfer both are
     coils = {
         "Y0": {"S0", "S40"}, "Y1": {"S20"}, "Y2": {"S21"}, "Y3": {"S22"}, "Y4": {"S30"}, "Y5": {"S40"},
     }  # fmt: skip
@@ -243,7 +246,9 @@ def test_random_steps_go_as_the_sentences_say(walk: tuple[list[list[tuple[int, i
     for number, mine in enumerate(ways):
         text += [f"STL S{20 + number}", f"OUT Y{number}"]
         text += [line for x, to in mine for line in (f"LD X{x}", f"SET S{20 + to}")]
-    trace = run(program("/".join([*text, "RET"])), [{f"X{place}": bit for place, bit in enumerate(row)} for row in pressed])
+    trace = run(
+        program("/".join([*text, "RET"])), [{f"X{place}": bit for place, bit in enumerate(row)} for row in pressed]
+    )
     on: set[int] = set()
     for scan, row in enumerate(pressed):
         on |= {0} if scan == 0 else set()

@@ -135,6 +135,22 @@ def test_the_current_value_is_a_word_like_any_other() -> None:
     assert found["Q0.0"] == "000111"
 
 
+@pytest.mark.parametrize(
+    "rest",
+    [
+        "LD I0.0\nJMP 1\nLD I0.1\n= Q0.0\n= Q0.1\nLBL 1\nLD SM0.0",
+        "LD I0.0\nEND\nLD I0.1\n= Q0.0",
+        "LD I0.0\nCALL SBR0\nSUBROUTINE_BLOCK SBR_0:SBR0\nLD SM0.0\n= Q0.0\n= Q0.1\nEND_SUBROUTINE_BLOCK",
+        "LD I0.0\nFOR VW0, 1, 5\nLD I0.1\n= Q0.0\nNEXT",
+    ],
+    ids=["jump", "end", "call", "loop"],
+)
+@pytest.mark.parametrize("power", [0, 1])
+def test_a_1_ms_timer_runs_on_whatever_the_program_passes_over(rest: str, power: int) -> None:
+    found = run(program(f"LD SM0.0\nTON T32, 1000\n{rest}"), [{"I0.0": power, "ms": 13}] * 11)
+    assert [one.value for one in found.values("T32.V")] == [13 * scan for scan in range(11)]
+
+
 # Misconception 22: a timer that resets itself.
 
 

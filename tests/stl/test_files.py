@@ -336,6 +336,25 @@ def test_a_pl7_listing_is_written() -> None:
     )
 
 
+WHOLE = {
+    "neza": (
+        "(* three motors *)\n%TM0: TYPE=TON TB=1s P=5\n%DR0: OUT=%Q0.0,%Q0.1 STEPS=00,10\nRUNG 0 (* start *)\n000 LD %I0.0\n"
+        "001 OR( %Q0.1\n002 AND [%DR0.S=1]\n003 )\n004 ST %Q0.1\nRUNG 1\nBLK %TM0\nLD %Q0.1\nIN\nOUT_BLK\nLD Q\nST %Q0.2\n"
+        "END_BLK\nLD 1\n[ %MW0 := %MW1 + 5 ]\nJMPC %L1\n%L1:\nLD %I0.2\nSR0\nEND\nSR0:\nLD %I0.3\nST %Q0.3\nRET\n"
+    ),
+    "fx": "LD X4\nOUT T30 K100\nLD= D0 K5\nOR X1\nADDP D0 K1 D2\nLD M8002\nMOV K7 K2M0 // set\nEND\n",
+    "s7-200": "Network 1 // compare\nLDW>= VW10, +100\nMOVW 16#0F, VW2\nTON T37, 5\nSUBROUTINE_BLOCK a:SBR2\nLD I0.0\nCRET\n",
+}
+
+
+@pytest.mark.parametrize("name", WHOLE)
+@pytest.mark.parametrize("form", ["plain", "export", "csv", "pl7"])
+def test_words_blocks_and_labels_survive_in_every_form(name: str, form: str) -> None:
+    program = read(WHOLE[name], name)
+    assert program.diagnostics == ()
+    assert read(write_bytes(program, form), name) == program
+
+
 # Symbols in double quotes
 
 

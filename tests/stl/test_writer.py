@@ -123,7 +123,8 @@ def whole_blocks(family: Dialect, kind: str) -> list[str]:
     """The blocks that the instructions of one kind take, tried one by one: TON and TONR have timers of their own."""
     insn = next(one for one in family.insns if any(operand.kind == kind for operand in one.operands))
     words = [f"{area}{number}" for area in sorted(family.kinds[kind].areas) for number in range(256)]
-    more = ", 7" * (len(insn.operands) - 1)
+    ten = next(mark for mark, base in family.constant.items() if base == 10)
+    more = f", {ten}7" * (len(insn.operands) - 1)
     found = {word: errors(read(f"{insn.word} {word}{more}", family).diagnostics) for word in words}
     return [word for word in words if {one.code for one in found[word]} <= {"BLK007"}]
 
