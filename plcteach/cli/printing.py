@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 import sys
 import unicodedata
 from typing import TYPE_CHECKING, Any
@@ -101,12 +102,12 @@ _SEVERITIES = {"error": Text("错误", "error"), "warning": Text("警告", "warn
 def print_findings(found: Sequence[Diagnostic], program: Program) -> None:
     """Print findings the way a compiler does: the place, the row with carets, what is said and what to do."""
     lang = language()
-    rows = program.source.split("\n")
+    rows = re.split(r"\r\n|\n|\r", program.source)
     for one in found:
         severity = _SEVERITIES[one.severity].in_(lang)
         print(f"{one.span.row}:{one.span.start + 1}: {severity} {one.code}: {one.text.in_(lang)}")
         if 0 < one.span.row <= len(rows):
-            row = "".join(sign if sign.isprintable() else " " for sign in rows[one.span.row - 1].rstrip("\r")[:200])
+            row = "".join(sign if sign.isprintable() else " " for sign in rows[one.span.row - 1][:200])
             print(f"    {row}")
             print(
                 "    " + " " * _width(row[: one.span.start]) + "^" * max(1, _width(row[one.span.start : one.span.stop]))

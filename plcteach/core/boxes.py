@@ -24,6 +24,9 @@ _TURNS_ROUND = {"add", "mul", "and", "or", "xor"}
 """Operations whose operands may change places."""
 
 
+_NOWHERE = Span(1)
+
+
 @dataclass(frozen=True, slots=True)
 class Box:
     """A box with its operands: OUT := IN1 op IN2.  span: where it stands."""
@@ -32,7 +35,7 @@ class Box:
     in1: Source
     in2: Source
     out: Address
-    span: Span = Span(1)
+    span: Span = _NOWHERE
 
     @property
     def text(self) -> str:

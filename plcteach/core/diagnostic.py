@@ -699,7 +699,10 @@ _ROWS = (
         "EXP001",
         "bracket-unread",
         "error",
-        Text("方括号里这里应写{expected}，而不是“{word}”。", "Expected here, inside the brackets: {expected}, not {word}."),
+        Text(
+            "方括号里这里应写{expected}，而不是“{word}”。",
+            "Expected here, inside the brackets: {expected}, not {word}.",
+        ),
         Text(
             "方括号里是一个运算或一个比较，只有一个运算符：[%MW0 := %MW1 + 5]、[%MW0 > 10]。",
             "Brackets hold one operation or one comparison, with a single operator: [%MW0 := %MW1 + 5], [%MW0 > 10].",
@@ -709,7 +712,9 @@ _ROWS = (
         "CFG001",
         "configuration-unread",
         "error",
-        Text("“{word}”不能在这里设置，可以写的有：{expected}", "{word} cannot be configured here; what can: {expected}"),
+        Text(
+            "“{word}”不能在这里设置，可以写的有：{expected}", "{word} cannot be configured here; what can: {expected}"
+        ),
         Text(
             "功能块的类型、时基、预设值等在程序之前设好，例如 %TM0: TYPE=TON TB=1s P=5。",
             "Type, time base, preset of a block are settled before the program begins, as in %TM0: TYPE=TON TB=1s P=5.",
@@ -755,7 +760,10 @@ _ROWS = (
         "CFG005",
         "configured-twice",
         "error",
-        Text("{word}在第{row}行已经设置过了。该用哪一个？", "{word} has been configured in row {row} already. Which one counts?"),
+        Text(
+            "{word}在第{row}行已经设置过了。该用哪一个？",
+            "{word} has been configured in row {row} already. Which one counts?",
+        ),
         Text("一个功能块只有一组设置。", "A block has one configuration."),
     ),
     Rule(
@@ -865,7 +873,10 @@ _ROWS = (
         "end-blk-missing",
         "error",
         Text("{block}的BLK没有用END_BLK结束。它到哪里为止？", "The BLK of {block} has no END_BLK. Where does it end?"),
-        Text("没有END_BLK，后面的R、S等都会被当成这个功能块的输入。", "Without END_BLK an R or S below would be taken for its input."),
+        Text(
+            "没有END_BLK，后面的R、S等都会被当成这个功能块的输入。",
+            "Without END_BLK an R or S below would be taken for its input.",
+        ),
     ),
     Rule(
         "BLK008",
@@ -899,7 +910,10 @@ _ROWS = (
         "JMP001",
         "no-such-place",
         "error",
-        Text("{word}要去{name}，可程序里没有{name}。", "{word} goes to {name}, and there is no {name} in this program. Where should it go?"),
+        Text(
+            "{word}要去{name}，可程序里没有{name}。",
+            "{word} goes to {name}, and there is no {name} in this program. Where should it go?",
+        ),
         Text(
             "跳转要有标号，调用要有子程序。",
             "A jump needs its label, a call its subroutine.",
@@ -909,7 +923,10 @@ _ROWS = (
         "JMP002",
         "place-twice",
         "error",
-        Text("{name}在第{row}行已经有了。跳转该去哪一个？", "{name} stands in row {row} already. Which of the two is meant?"),
+        Text(
+            "{name}在第{row}行已经有了。跳转该去哪一个？",
+            "{name} stands in row {row} already. Which of the two is meant?",
+        ),
         Text("同一个标号只能出现一次。", "A label stands only once."),
     ),
     Rule(
@@ -920,7 +937,10 @@ _ROWS = (
             "{name}写在主程序结束之前，主程序会走进子程序里。在它前面加{end}好吗？",
             "{name} stands before the end of the main program, which would run into it. Should {end} stand above it?",
         ),
-        Text("子程序写在主程序结束之后，只有调用才能进入。", "Subroutines stand after the end of the main program, and only a call enters them."),
+        Text(
+            "子程序写在主程序结束之后，只有调用才能进入。",
+            "Subroutines stand after the end of the main program, and only a call enters them.",
+        ),
     ),
     Rule(
         "JMP004",

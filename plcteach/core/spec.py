@@ -322,7 +322,7 @@ class Dialect:
             text
             for text in self.examples
             for line in text.split("; ")
-            if line.split()[0] == word and line.startswith(starts)
+            if word in {line.split()[0], re.sub(r"\d+", "", line)} and line.startswith(starts.rstrip(":"))
         )
         return next(mine, "")
 

@@ -14,7 +14,12 @@ from plcteach.core.verb import coil, drive, reset, set_, work
 _BYTES = {"B": 8, "W": 16, "D": 32}
 _IN_BYTES = "I Q M SM V"
 _WHOLE = (("B", "byte", "字节", "byte"), ("W", "word", "字", "word"), ("D", "dword", "双字", "double word"))
-_SUMS = (("+", "add", "加", "add"), ("-", "sub", "减", "subtract"), ("*", "mul", "乘", "multiply"), ("/", "div", "除", "divide"))
+_SUMS = (
+    ("+", "add", "加", "add"),
+    ("-", "sub", "减", "subtract"),
+    ("*", "mul", "乘", "multiply"),
+    ("/", "div", "除", "divide"),
+)
 
 INSTRUCTIONS = (
     # input instructions

@@ -17,7 +17,12 @@ _BYTES = {"B": 8, "W": 16, "D": 32}
 _IN_BYTES = "I Q M SM V S L AC"
 _WHOLE = (("B", "byte", "字节", "byte"), ("W", "word", "字", "word"), ("D", "dword", "双字", "double word"))
 _REAL = ("R", "real", "实数", "real")
-_SUMS = (("+", "add", "加", "add"), ("-", "sub", "减", "subtract"), ("*", "mul", "乘", "multiply"), ("/", "div", "除", "divide"))
+_SUMS = (
+    ("+", "add", "加", "add"),
+    ("-", "sub", "减", "subtract"),
+    ("*", "mul", "乘", "multiply"),
+    ("/", "div", "除", "divide"),
+)
 
 INSTRUCTIONS = (
     # contacts

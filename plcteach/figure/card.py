@@ -73,7 +73,7 @@ class Card:
     @property
     def kind(self) -> Text:
         """Whether it is a contact, a coil or a stack instruction."""
-        verbs = {verb.name for verb in self.insn.then}
+        verbs = {verb.name for verb in self.insn.then if verb.name not in _VERBS["coil"] or verb.target in {"out", "direct"}}
         for kind, names in _VERBS.items():
             if verbs & names:
                 return _CLASSES[kind]

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from plcteach.core.spec import Dialect
 
 
-def decomposed(
+def decomposed(  # noqa: PLR0917 (a box's operands stand in their order)
     dialect: str | Dialect, box: str, in1: str, in2: str, out: str, mode: Mode = "faithful"
 ) -> tuple[tuple[str, ...], tuple[Diagnostic, ...]]:
     """Give the lines of a list that a box becomes, and what there is to say about them.

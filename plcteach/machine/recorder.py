@@ -11,7 +11,6 @@ from typing import TYPE_CHECKING, Any
 from plcteach.core.diagnostic import Diagnostic, rule
 from plcteach.machine.blocks import AT_END
 from plcteach.machine.generated import Generated, Unsure, bit_of
-from plcteach.machine.signals import ONE
 from plcteach.machine.signals import ONE, ZERO
 from plcteach.machine.store import Memory
 from plcteach.machine.sweep import address_of, spread, sweep
@@ -185,7 +184,11 @@ class Recorder:
 
     def ends(self) -> Iterator[Diagnostic]:
         """Give each step counter that was asked to go beyond its ends, at the first line that drives it."""
-        asked = {key.removesuffix(AT_END) for key, (_, values) in self.changes.items() if key.endswith(AT_END) and ONE in values}
+        asked = {
+            key.removesuffix(AT_END)
+            for key, (_, values) in self.changes.items()
+            if key.endswith(AT_END) and ONE in values
+        }
         for line in self.program.lines:
             for place in line.places:
                 if place.text in asked:

@@ -89,7 +89,7 @@ class Store(Generic[S]):
     def remembered(self, key: str, value: S) -> S | None:
         """Give what a pin saw the last time (None: never before); where it has not seen anything, its value now."""
         last, seen = self.bits.get(key), self.bits.get(key + SEEN)
-        return last if last is None or seen is None else self.domain.pick(seen, last, value)  # type: ignore[no-any-return]
+        return last if last is None or seen is None else self.domain.pick(seen, last, value)
 
     def number(self, key: str) -> Any:
         """Give a number by its key."""

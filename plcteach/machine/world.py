@@ -117,8 +117,8 @@ class Plant(Store[S]):
         if self.dialect.samples_edges_at_start and address is not None:
             zero, last = self.domain.zero, self.memory.image
             return self.image.get(address.text, zero), None if last is None else last.get(address.text, zero)
-        last, seen = self.past_of_lines.get(self.line), self.past_of_lines.get(~self.line)
-        return value, last if last is None or seen is None else self.domain.pick(seen, last, value)
+        before, seen = self.past_of_lines.get(self.line), self.past_of_lines.get(~self.line)
+        return value, before if before is None or seen is None else self.domain.pick(seen, before, value)
 
     def following(self, address: Address, count: int) -> tuple[Address, ...]:
         """Give `count` addresses from this one on."""

@@ -9,7 +9,6 @@ import re
 from typing import TYPE_CHECKING
 
 from plcteach.core.area import Address, Area
-from plcteach.core.source import Span
 from plcteach.core.text import Text, same
 from plcteach.stl.expression import inside, joined
 from plcteach.stl.words import Word
@@ -101,7 +100,9 @@ class Configuration:
         before = Word(whole.text[at : heads[0].start() if heads else None].strip(), inside(whole, at, len(whole.text)))
         names = same(", ".join(f"{name}=" for name in block.settings))
         if before.text or not heads:
-            self.operands.say("CFG001", before.span if before.text else whole.span, word=before.shown or ":", expected=names)
+            self.operands.say(
+                "CFG001", before.span if before.text else whole.span, word=before.shown or ":", expected=names
+            )
             return None
         found: dict[str, Said] = {}
         ends = [head.start() for head in heads[1:]] + [len(whole.text)]
@@ -136,13 +137,17 @@ class Configuration:
         expected = self.expected(setting)
         if setting.list:
             return self.several(place, name, setting, words)
+        found: Said | None
         if setting.choices:
             found = next((one for one in setting.choices if one.upper() == first.text.upper()), None)
         elif _NUMBER.fullmatch(first.text) and setting.first <= int(first.text) <= setting.last:
-            return int(first.text) if len(words) == 1 else self.refused(place, name, last, expected)
+            found = int(first.text)
         else:
             found = None
-        return found if found and len(words) == 1 else self.refused(place, name, last, expected)
+        if found is None or len(words) > 1:
+            self.refused(place, name, last, expected)
+            return None
+        return found
 
     def refused(self, place: Address, name: str, word: Word, expected: Text) -> None:
         """Say what was expected behind a name."""
@@ -159,14 +164,16 @@ class Configuration:
         """Read a drum's outputs or the rows of its steps."""
         if len(words) > setting.last:
             most = Text(f"最多{setting.last}个", f"at most {setting.last} of them")
-            return self.refused(place, name, words[setting.last], most)
+            self.refused(place, name, words[setting.last], most)
+            return None
         rows = [word.text if _ROW.fullmatch(word.text) else None for word in words]
         if name == "OUT":
             rows = [self.output(word) for word in words]
         for row, word in zip(rows, words, strict=True):
             if row is None:
                 bits = Text("0和1组成的行，如0101", "a row of 0 and 1 such as 0101")
-                return self.refused(place, name, word, self.dialect.kinds["out"].title if name == "OUT" else bits)
+                self.refused(place, name, word, self.dialect.kinds["out"].title if name == "OUT" else bits)
+                return None
         return tuple(row for row in rows if row is not None)
 
     def output(self, word: Word) -> str | None:
@@ -204,4 +211,4 @@ def remarks(above: tuple[str, ...], comment: str) -> tuple[str, ...]:
     return (*above, comment) if comment else above
 
 
-__all__ = ["VALUE", "Configuration", "Span", "remarks"]
+__all__ = ["VALUE", "Configuration", "remarks"]

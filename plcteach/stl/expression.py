@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass, field
+from itertools import pairwise
 from typing import TYPE_CHECKING
 
 from plcteach.core.area import Address
@@ -43,7 +44,7 @@ _END = Text("右方括号", "the closing bracket")
 def joined(words: Sequence[Word]) -> Word:
     """Make one word of several, with the blanks that stood between them, so that places in it are places in the row."""
     text = words[0].text
-    for before, word in zip(words, words[1:], strict=False):
+    for before, word in pairwise(words):
         apart = word.span.start - before.span.stop if word.span.row == before.span.row else 1
         text += " " * min(max(apart, 0), LONGEST) + word.text
     return Word(text, Span(words[0].span.row, words[0].span.start, words[-1].span.stop))
@@ -105,11 +106,13 @@ class _Parts:
         signed = self.peek() in _SIGNS and self.peek(1)[:1].isdigit()
         taken = self.parts[self.next : self.next + 1 + signed]
         kind = self.operands.dialect.kinds[_WORDS]
-        if self.failed or not taken or not taken[-1].text[:1].isalnum() and not taken[-1].text.startswith("%"):
+        if self.failed or not taken or (not taken[-1].text[:1].isalnum() and not taken[-1].text.startswith("%")):
             self.refuse(kind.title)
             return None
         self.next += len(taken)
-        word = Word("".join(one.text for one in taken), Span(taken[0].span.row, taken[0].span.start, taken[-1].span.stop))
+        word = Word(
+            "".join(one.text for one in taken), Span(taken[0].span.row, taken[0].span.start, taken[-1].span.stop)
+        )
         found = self.operands.word(self.insn, self.operand, word, kind)
         self.failed |= found is None
         return found
@@ -162,14 +165,16 @@ def _compared(parts: _Parts) -> Compare | None:
         parts.refuse(Text("一个比较（= <> >= <= > <）", "a comparison (= <> >= <= > <)"))
         return None
     right = parts.source()
-    return right and Compare(left, relation, right, _WORDS, f"[{left.text} {relation} {right.text}]")
+    if right is None:
+        return None
+    return Compare(left, relation, right, _WORDS, f"[{left.text} {relation} {right.text}]")
 
 
 def _assigned(parts: _Parts) -> Assign | None:
     step = parts.accept(*STEPS)
     if step:
         target = parts.target()
-        return target and Assign(target, STEPS[step], (target,), _WORDS, f"[{step} {target.text}]")
+        return None if target is None else Assign(target, STEPS[step], (target,), _WORDS, f"[{step} {target.text}]")
     target = parts.target()
     if target is None:
         parts.refuse(_WHAT)

@@ -11,7 +11,6 @@ from plcteach.core.diagnostic import rule
 from plcteach.core.program import Arg, Compare, Source, Value
 from plcteach.core.source import Span
 from plcteach.core.text import NOTHING, Text, same
-from plcteach.stl.expression import expression
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -41,6 +40,7 @@ class Operands:
         self.find = find
         self.symbols: dict[str, str] = {}
         self.settings: dict[str, dict[str, int | str | tuple[str, ...]]] = {}
+        self.brackets: Callable[[Operands, Insn, Operand, Word], Arg | None] | None = None
 
     def say(self, code: str, span: Span, **values: object) -> None:
         """Report one finding."""
@@ -75,8 +75,8 @@ class Operands:
         if operand.relation:
             return self.compared(insn, operand, words)
         kind = self.dialect.kinds[operand.kind]
-        if operand.kind == "assign" or (kind.compare and words[0].text.startswith("[")):
-            return expression(self, insn, operand, words[0])
+        if self.brackets and (operand.kind == "assign" or (kind.compare and words[0].text.startswith("["))):
+            return self.brackets(self, insn, operand, words[0])
         if kind.size == 1:
             return self.bit(insn, operand, words[0])
         return self.word(insn, operand, words[0], kind)
@@ -138,8 +138,9 @@ class Operands:
         return None
 
     def takes_words(self, insn: Insn, operand: Operand, address: Address) -> bool:
-        """Say whether an instruction that takes bits takes this word as well, as a reset takes D0."""
-        plain = address.size == self.dialect.area(address).size
+        """Say whether an instruction that takes bits takes this word as well, as a reset takes D0 (but no %MW0, which has bits)."""
+        area = self.dialect.area(address)
+        plain = address.size == area.size and not area.digits
         return (
             plain
             and address.area in self.dialect.kinds[operand.kind].areas

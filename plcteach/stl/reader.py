@@ -17,7 +17,7 @@ from plcteach.dialects import names
 from plcteach.stl.boxes import expanded
 from plcteach.stl.circuits import arrange
 from plcteach.stl.configuration import Configuration, remarks
-from plcteach.stl.expression import bracketed
+from plcteach.stl.expression import bracketed, expression
 from plcteach.stl.operands import Operands, did_you_mean
 from plcteach.stl.section import Section, Spelled
 from plcteach.stl.tokens import Heading, Statement, Word, cut
@@ -78,6 +78,7 @@ class _Reading:
         self.dialect = dialect
         self.diagnostics: list[Diagnostic] = []
         self.operands = Operands(dialect, self.diagnostics, find)
+        self.operands.brackets = expression
         self.configuration = Configuration(self.operands)
         self.section = Section(self.operands)
         self.above: tuple[str, ...] = ()

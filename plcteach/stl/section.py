@@ -87,7 +87,10 @@ class Section:
         """The names of all pins that instructions of this family stand for."""
         areas = {block.area: block.pins for block in self.dialect.blocks}
         return frozenset(
-            row.word for row in self.dialect.insns for area in areas if row.mnemonic == f"{row.word} {area}" and row.word in areas[area]
+            row.word
+            for row in self.dialect.insns
+            for area in areas
+            if row.mnemonic == f"{row.word} {area}" and row.word in areas[area]
         )
 
     @cached_property

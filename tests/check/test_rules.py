@@ -103,6 +103,8 @@ def test_every_other_code_stands_in_some_other_test(code: str) -> None:
         "RUN001": "machine/test_scan.py",
         "RUN002": "machine/test_s7_course.py",
         "RUN003": "machine/test_s7_course.py",
+        "RUN004": "machine/test_neza_blocks.py",
+        "RUN": "machine/test_neza_blocks.py",
         "TMR": "machine/test_s7_timers.py",
         "SYM": "stl/test_symbols.py",
         "TIM": "machine/test_timeline.py",

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections import deque
+from itertools import pairwise
 
 import pytest
 from hypothesis import given, settings
@@ -49,7 +50,7 @@ def bits(width: int, size: int = 60) -> st.SearchStrategy[list[list[int]]]:
 def rises(rows: list[list[int]], column: int) -> list[bool]:
     """Where a column rises; the first scan shows no edge."""
     values = [row[column] for row in rows]
-    return [False, *(now > before for before, now in zip(values, values[1:], strict=False))]
+    return [False, *(now > before for before, now in pairwise(values))]
 
 
 # Timers: a model by moments, not by steps.
@@ -117,7 +118,11 @@ def test_a_new_preset_counts_from_the_next_start(kind: str) -> None:
     text = section("%TM0", "IN", f"TYPE={kind} TB=10ms P=3") + "\nLDR %I0.1\n[%TM0.P := 6]"
     rows = [[0, 0], [1, 0], [1, 1], *[[1, 0]] * 8, [0, 0], *[[1, 0]] * 9, [0, 0]]
     ons = numbers(traced(text, rows), "%TM0.Q")
-    wanted = [0, 0, 0, 0, *[1] * 7, 0, *[0] * 6, 1, 1, 1, 0] if kind == "TON" else [0, *[1] * 3, *[0] * 8, *[1] * 6, *[0] * 4]
+    wanted = (
+        [0, 0, 0, 0, *[1] * 7, 0, *[0] * 6, 1, 1, 1, 0]
+        if kind == "TON"
+        else [0, *[1] * 3, *[0] * 8, *[1] * 6, *[0] * 4]
+    )
     assert ons == wanted
 
 
@@ -154,7 +159,9 @@ def test_counters(rows: list[list[int]], preset: int) -> None:
 
 def test_e_and_f_at_the_wrap_and_at_the_next_count() -> None:
     pulse_row = [[0, 1], [0, 0]]
-    trace = traced(section("%C0", "CU CD"), [[0, 0], *pulse_row, *pulse_row, [1, 0], [0, 0], [1, 0], [0, 0], [1, 0], [0, 0]])
+    trace = traced(
+        section("%C0", "CU CD"), [[0, 0], *pulse_row, *pulse_row, [1, 0], [0, 0], [1, 0], [0, 0], [1, 0], [0, 0]]
+    )
     assert numbers(trace, "%C0.V") == [0, 9999, 9999, 9998, 9998, 9999, 9999, 0, 0, 1, 1]
     assert trace["%C0.E"] == "01100000000"
     assert trace["%C0.F"] == "00000001100"
@@ -165,7 +172,12 @@ def test_e_and_f_at_the_wrap_and_at_the_next_count() -> None:
 
 
 @settings(max_examples=80, deadline=None)
-@given(rows=bits(2, 60), table=st.integers(1, 8).flatmap(lambda size: st.lists(st.text("01", min_size=4, max_size=4), min_size=size, max_size=size)))
+@given(
+    rows=bits(2, 60),
+    table=st.integers(1, 8).flatmap(
+        lambda size: st.lists(st.text("01", min_size=4, max_size=4), min_size=size, max_size=size)
+    ),
+)
 def test_drums(rows: list[list[int]], table: list[str]) -> None:
     outs = [f"%Q0.{number}" for number in range(3)] + ["%M7"]
     trace = traced(section("%DR3", "R U", f"OUT={','.join(outs)} STEPS={','.join(table)}"), rows)
@@ -260,7 +272,7 @@ def test_registers(kind: str, rows: list[list[int]], fill: int) -> None:
 
 
 def test_the_words_of_a_fifo_move_down_and_those_of_a_lifo_stay() -> None:
-    """"FIFO: the words move down; LIFO: only a pointer moves" (figures 4-42 and 4-43), as the machine keeps them."""
+    """ "FIFO: the words move down; LIFO: only a pointer moves" (figures 4-42 and 4-43), as the machine keeps them."""
     rows = [[0, 0, 0], *[[0, 1, 0], [0, 0, 0]] * 3, [0, 0, 1]]
     for kind, kept in (("FIFO", [4, 6]), ("LIFO", [2, 4, 6])):
         trace = traced(f"%R1: TYPE={kind}\nLD 1\n[INC %R1.I]\n" + section("%R1", "R I O"), rows)

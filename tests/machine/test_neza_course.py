@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -32,7 +34,9 @@ def words(trace, address: str) -> list[int]:
 @given(rows=ROWS)
 def test_edges_compare_the_images_of_two_scan_starts(rows: list[tuple[int, ...]]) -> None:
     """An %M written in scan n shows its edge in n+1, wherever it is read; no edge in the first scan."""
-    trace = traced("LDR %M0; ST %Q0.0; LD %I0.0; ST %M0; LDF %M0; ST %Q0.1; LDR %I0.1; ST %Q0.2; LDF %I0.1; ST %Q0.3", rows)
+    trace = traced(
+        "LDR %M0; ST %Q0.0; LD %I0.0; ST %M0; LDF %M0; ST %Q0.1; LDR %I0.1; ST %Q0.2; LDF %I0.1; ST %Q0.3", rows
+    )
     for scan in range(len(rows)):
         early, before = (rows[scan - 2][0] if scan > 1 else 0), (rows[scan - 1][0] if scan else 0)
         got = [repr(trace.value(f"%Q0.{number}", scan)) for number in range(4)]
@@ -57,7 +61,7 @@ def test_system_bits_of_the_first_scan() -> None:
 def test_clock_bits_are_half_on_and_half_off(bit: str, period: int) -> None:
     trace = traced(f"LD {bit}; ST %Q0.0", [[0]] * 1_000, period // 10)
     changes = trace.edges("%Q0.0")[1:]
-    assert {after[0] - before[0] for before, after in zip(changes, changes[1:], strict=False)} == {period // 2}
+    assert {after[0] - before[0] for before, after in pairwise(changes)} == {period // 2}
     assert trace["%Q0.0"].count("1") == 500
 
 
@@ -104,7 +108,11 @@ WORD = st.integers(-(2**15), 2**15 - 1)
 
 
 @settings(max_examples=150, deadline=None)
-@given(a=WORD | st.sampled_from([0, 1, -1, -(2**15)]), b=WORD | st.sampled_from([0, 1, -1]), sign=st.sampled_from(sorted(OPERATIONS)))
+@given(
+    a=WORD | st.sampled_from([0, 1, -1, -(2**15)]),
+    b=WORD | st.sampled_from([0, 1, -1]),
+    sign=st.sampled_from(sorted(OPERATIONS)),
+)
 def test_operations_on_words(a: int, b: int, sign: str) -> None:
     """Too large a result is cut off and sets %S18; a division by zero sets it and leaves the word as it was."""
     trace = traced(f"%KW0: {a}; %KW1: {b}; LD 1; [%MW0 := 77]; [%MW0 := %KW0 {sign} %KW1]")
@@ -125,7 +133,9 @@ def test_functions_of_words(text: str, wanted: int) -> None:
 
 
 def test_s17_keeps_the_bit_that_a_word_loses_and_s18_says_that_a_result_is_too_large() -> None:
-    trace = traced("%KW0: -32768; LD 1; [%MW0 := SHL(%KW0, 1)]; LD %S17; ST %Q0.0; LD 1; [%MW1 := %KW0 / -1]; LD %S18; ST %Q0.1")
+    trace = traced(
+        "%KW0: -32768; LD 1; [%MW0 := SHL(%KW0, 1)]; LD %S17; ST %Q0.0; LD 1; [%MW1 := %KW0 / -1]; LD %S18; ST %Q0.1"
+    )
     assert [trace[place] for place in ("%Q0.0", "%Q0.1")] == ["1", "1"]
     assert traced("LD 1; [%MW0 := SQRT(-4)]; LD %S18; ST %Q0.0")["%Q0.0"] == "1"
 
@@ -144,7 +154,9 @@ def test_bits_of_words() -> None:
 
 
 def test_presets_are_words_that_can_be_read_and_written() -> None:
-    trace = traced("%C0: P=4; LD %I0.0; [%C0.P := 2]; [%MW0 := %C0.P]; CU %C0; LD %C0.D; ST %Q0.0", [[0], [1], [0], [1]])
+    trace = traced(
+        "%C0: P=4; LD %I0.0; [%C0.P := 2]; [%MW0 := %C0.P]; CU %C0; LD %C0.D; ST %Q0.0", [[0], [1], [0], [1]]
+    )
     assert words(trace, "%C0.P") == [4, 2, 2, 2]
     assert words(trace, "%MW0") == [0, 2, 2, 2]
     assert trace["%Q0.0"] == "0001"
@@ -184,7 +196,11 @@ def test_subroutines_run_where_they_are_called(rows: list[tuple[int, ...]]) -> N
     for scan, (one, two, three) in enumerate(rows):
         held = three if one else held
         count += one + two
-        assert [repr(trace.value(place, scan)) for place in ("%Q0.0", "%Q0.1", "%MW0")] == [str(one), str(held), str(count)]
+        assert [repr(trace.value(place, scan)) for place in ("%Q0.0", "%Q0.1", "%MW0")] == [
+            str(one),
+            str(held),
+            str(count),
+        ]
 
 
 def test_ends() -> None:
@@ -203,9 +219,22 @@ def test_a_timer_that_is_jumped_over_goes_on() -> None:
 
 
 def test_no_rung_begins_inside_a_section_and_one_begins_with_it() -> None:
-    program = read("LD %I0.0\nST %Q0.0\nBLK %C0\nLD %I0.1\nR\nLD %I0.2\nCU\nOUT_BLK\nLD D\nST %Q0.1\nEND_BLK\nLD %I0.3\nST %Q0.2", "neza")
+    program = read(
+        "LD %I0.0\nST %Q0.0\nBLK %C0\nLD %I0.1\nR\nLD %I0.2\nCU\nOUT_BLK\nLD D\nST %Q0.1\nEND_BLK\nLD %I0.3\nST %Q0.2",
+        "neza",
+    )
     assert [len(one.lines) for one in program.networks] == [2, 9, 2]
-    assert [line.text for line in program.lines[2:11]] == ["BLK %C0", "LD %I0.1", "R", "LD %I0.2", "CU", "OUT_BLK", "LD D", "ST %Q0.1", "END_BLK"]
+    assert [line.text for line in program.lines[2:11]] == [
+        "BLK %C0",
+        "LD %I0.1",
+        "R",
+        "LD %I0.2",
+        "CU",
+        "OUT_BLK",
+        "LD D",
+        "ST %Q0.1",
+        "END_BLK",
+    ]
     assert [str(line.args[0]) for line in program.lines[2:9] if line.said] == ["%C0", "%C0", "%C0", "%C0.D"]
 
 
@@ -235,6 +264,7 @@ def test_a_label_and_a_subroutine_begin_a_rung_of_their_own() -> None:
         ("BLK", {"RDR003": 1}),
         ("LD %TM0; ST %Q0.0", {"RDR019": 1}),
         ("LD %I0.0; ST %SC0.1", {"RDR007": 2}),
+        ("LD %I0.0; R %MW0", {"RDR019": 2}),
         ("LD %I0.0; AND( %I0.1; IN %TM0; )", {"STK012": 3}),
         ("LD %I0.0; AND( %I0.1; JMPC %L1; ); ST %Q0.0; %L1:", {"STK012": 3}),
         ("LD %I0.0; AND( %I0.1; [%MW0 := 1]; ); ST %Q0.0", {"STK012": 3}),

@@ -20,7 +20,8 @@ def program(text: str):
 def routines(main: str, *blocks: str) -> str:
     """A main program with subroutines SBR0, SBR1 …"""
     return main + "".join(
-        f"\nSUBROUTINE_BLOCK SBR_{number}:SBR{number}\nBEGIN\nNetwork 1\n{text}\nEND_SUBROUTINE_BLOCK" for number, text in enumerate(blocks)
+        f"\nSUBROUTINE_BLOCK SBR_{number}:SBR{number}\nBEGIN\nNetwork 1\n{text}\nEND_SUBROUTINE_BLOCK"
+        for number, text in enumerate(blocks)
     )
 
 
@@ -86,9 +87,7 @@ def test_the_last_value_may_change_in_the_loop() -> None:
 
 
 def test_a_jump_out_of_an_inner_loop_leaves_the_outer_one_running() -> None:
-    text = (
-        "LD SM0.0 / FOR VW0, 1, 3 / LD SM0.0 / FOR VW2, 1, 5 / LDW= VW2, 2 / JMP 1 / NEXT / LBL 1 / LD SM0.0 / INCW VW4 / NEXT"
-    )
+    text = "LD SM0.0 / FOR VW0, 1, 3 / LD SM0.0 / FOR VW2, 1, 5 / LDW= VW2, 2 / JMP 1 / NEXT / LBL 1 / LD SM0.0 / INCW VW4 / NEXT"
     assert value(text, "VW4") == [3]
 
 
@@ -124,7 +123,9 @@ def test_a_routine_without_power_is_not_called() -> None:
 
 
 def test_a_call_in_a_call_and_one_routine_twice() -> None:
-    text = routines("LD SM0.0\nCALL SBR0\nCALL SBR1", "LD SM0.0\nINCW VW0\nCALL SBR1\nLD SM0.0\n+I 100, VW0", "LD SM0.0\n+I 10, VW0")
+    text = routines(
+        "LD SM0.0\nCALL SBR0\nCALL SBR1", "LD SM0.0\nINCW VW0\nCALL SBR1\nLD SM0.0\n+I 100, VW0", "LD SM0.0\n+I 10, VW0"
+    )
     assert value(text, "VW0") == [121]
 
 
@@ -138,7 +139,9 @@ def test_cret_leaves_the_routine_and_its_loop_and_nothing_else() -> None:
 
 
 def test_eight_calls_nest_and_the_ninth_is_not_made() -> None:
-    eight = routines("LD SM0.0\nCALL SBR0", *(f"LD SM0.0\nINCW VW0\nCALL SBR{one + 1}" for one in range(7)), "LD SM0.0\nINCW VW0")
+    eight = routines(
+        "LD SM0.0\nCALL SBR0", *(f"LD SM0.0\nINCW VW0\nCALL SBR{one + 1}" for one in range(7)), "LD SM0.0\nINCW VW0"
+    )
     found = run(program(eight))
     assert (found.value("VW0", 0).value, found.diagnostics) == (8, ())
     itself = run(program(routines("LD SM0.0\nCALL SBR0", "LD SM0.0\nINCW VW0\nCALL SBR0")))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import pairwise
 
 import pytest
 from hypothesis import given, settings
@@ -78,7 +79,9 @@ RESOLUTIONS = [
     ("TONR", 0, 1), ("TONR", 64, 1), ("TONR", 4, 10), ("TONR", 65, 10), ("TONR", 5, 100), ("TONR", 95, 100),
 ]  # fmt: skip
 SCANS = st.lists(
-    st.tuples(st.sampled_from([0, 0, 1, 1, 1]), st.sampled_from([0, 0, 0, 0, 1]), st.integers(1, 140)), min_size=1, max_size=30
+    st.tuples(st.sampled_from([0, 0, 1, 1, 1]), st.sampled_from([0, 0, 0, 0, 1]), st.integers(1, 140)),
+    min_size=1,
+    max_size=30,
 )
 
 
@@ -91,8 +94,8 @@ def test_a_timer_does_what_the_manual_says(
     lines = ["LD I0.0", f"{sort} T{number}, {preset}", "LD I0.1", f"R T{number}, 1", f"LD T{number}", "= Q0.0"]
     found = run(program(" / ".join(lines)), [{"I0.0": a, "I0.1": b, "ms": ms} for a, b, ms in scans])
     timer = Timer(sort, base, preset)
-    for scan, (power, reset, ms) in enumerate(scans):
-        ms = ms if scan else 0
+    for scan, (power, reset, given_ms) in enumerate(scans):
+        ms = given_ms if scan else 0
         seen = 0
         if base == 10:
             timer.advance(ms)
@@ -107,7 +110,11 @@ def test_a_timer_does_what_the_manual_says(
                 timer.reset()
             if line == 4:
                 seen = timer.bit
-        got = repr(found.value("Q0.0", scan)), found.value(f"T{number}.V", scan).value, repr(found.value(f"T{number}", scan))
+        got = (
+            repr(found.value("Q0.0", scan)),
+            found.value(f"T{number}.V", scan).value,
+            repr(found.value(f"T{number}", scan)),
+        )
         assert got == (str(seen), timer.current, str(timer.bit)), scan
 
 
@@ -166,7 +173,9 @@ def test_a_100_ms_timer_that_resets_itself_is_on_for_one_scan() -> None:
 
 
 def test_a_1_ms_timer_that_resets_itself_is_seen_now_and_then() -> None:
-    seen = run(program("LDN T32 / TON T32, 33 / LD T32 / = Q0.0"), [{"ms": 7 + scan % 5} for scan in range(600)])["Q0.0"]
+    seen = run(program("LDN T32 / TON T32, 33 / LD T32 / = Q0.0"), [{"ms": 7 + scan % 5} for scan in range(600)])[
+        "Q0.0"
+    ]
     assert 0 < seen.count("1") < 600 // 4
 
 
@@ -176,7 +185,7 @@ def test_the_safe_form_pulses_with_any_resolution(timer: str, preset: int) -> No
     ups = [at for at, bit in enumerate(seen) if bit == "1"]
     assert len(ups) > 10
     assert "11" not in seen
-    assert len({b - a for a, b in zip(ups, ups[1:], strict=False)}) == 1
+    assert len({b - a for a, b in pairwise(ups)}) == 1
 
 
 # Numbers.
@@ -257,7 +266,7 @@ def test_counters_do_what_the_manual_says(preset: int, scans: list[tuple[int, ..
 def test_the_clock_bits_are_half_on_and_half_off(bit: str, half: int) -> None:
     seen = run(program(f"LD {bit} / = Q0.0"), 4 * 2 * half // 50, scan_ms=50)["Q0.0"]
     changes = [at for at in range(1, len(seen)) if seen[at] != seen[at - 1]]
-    assert {b - a for a, b in zip(changes, changes[1:], strict=False)} == {half // 50}
+    assert {b - a for a, b in pairwise(changes)} == {half // 50}
 
 
 def test_sm06_is_on_for_one_scan_and_off_for_one() -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import operator
 import struct
 from typing import TYPE_CHECKING
 
@@ -66,7 +67,9 @@ class Bytes:
         except OverflowError:
             packed = None
         value = 0.0 if packed is None else struct.unpack(">f", packed)[0]
-        self.flag(overflow=packed is None, zero=packed is not None and value == 0, negative=packed is not None and value < 0)
+        self.flag(
+            overflow=packed is None, zero=packed is not None and value == 0, negative=packed is not None and value < 0
+        )
         self.eno = int(packed is not None)
         if packed is not None:
             self.memory[int(target[2:]) : int(target[2:]) + 4] = packed
@@ -115,7 +118,15 @@ class Bytes:
                 self.flag(divide=1)
                 self.eno = 0
                 return
-            self.sum(target, {"+": a + b, "-": a - b, "*": a * b, "/": int(math.copysign(1, a) * math.copysign(1, b)) * (abs(a) // abs(b or 1))}[name[0]])
+            self.sum(
+                target,
+                {
+                    "+": a + b,
+                    "-": a - b,
+                    "*": a * b,
+                    "/": int(math.copysign(1, a) * math.copysign(1, b)) * (abs(a) // abs(b or 1)),
+                }[name[0]],
+            )
         if name[0] == "/":
             self.flag(divide=0)
 
@@ -190,7 +201,7 @@ REALS = place("D") | st.sampled_from(["0.0", "1.5", "-2.5", "3.0", "1000000.0", 
 
 
 @st.composite
-def lines(draw: st.DrawFn) -> str:
+def lines(draw: st.DrawFn) -> str:  # noqa: PLR0911 (a row for each sort of instruction)
     letter = draw(st.sampled_from("BWD"))
     sort = draw(st.sampled_from(["move", "sum", "sum", "real", "wide", "count", "logic", "shift", "convert"]))
     if sort == "move":
@@ -251,7 +262,24 @@ def test_random_word_programs_agree_with_bytes(body: list[str], memory: bytes, d
 
 
 @settings(max_examples=40, deadline=None)
-@given(body=st.lists(lines(), min_size=1, max_size=4), memories=st.lists(MEMORY, min_size=3, max_size=3), data=st.data())
+@given(body=st.lists(lines(), min_size=1, max_size=4), memory=MEMORY)
+def test_a_long_run_agrees_too(body: list[str], memory: bytes) -> None:
+    """After some scans a run is generated source, which must say the same."""
+    code = read(listed(body), "s7-200")
+    scans = 80
+    found = run(code, [first_scan(memory, [1] * len(body)), *[{}] * (scans - 1)])
+    model = Bytes(memory)
+    for scan in range(scans):
+        for line in body:
+            model.do(line)
+        assert [found.value(f"VB{at}", scan).value for at in range(BYTES)] == list(model.memory), scan
+        assert {name: int(repr(found.value(flag, scan))) for name, flag in FLAGS.items()} == model.flags, scan
+
+
+@settings(max_examples=40, deadline=None)
+@given(
+    body=st.lists(lines(), min_size=1, max_size=4), memories=st.lists(MEMORY, min_size=3, max_size=3), data=st.data()
+)
 def test_many_memories_side_by_side_are_as_many_single_runs(
     body: list[str], memories: list[bytes], data: st.DataObject
 ) -> None:
@@ -268,8 +296,16 @@ def test_many_memories_side_by_side_are_as_many_single_runs(
 
 
 def test_a_word_is_two_bytes_the_high_one_first() -> None:
-    found = run(read("LD SM0.0\nMOVW 16#1234, VW100\nLD V100.4\n= Q0.0\nLD V101.2\n= Q0.1\nMOVD VD99, VD200", "s7-200"), [{"VB99": 1}])
-    assert [found.value(place, 0).value for place in ("VW100", "VB100", "VB101", "VD99")] == [0x1234, 0x12, 0x34, 0x01123400]
+    found = run(
+        read("LD SM0.0\nMOVW 16#1234, VW100\nLD V100.4\n= Q0.0\nLD V101.2\n= Q0.1\nMOVD VD99, VD200", "s7-200"),
+        [{"VB99": 1}],
+    )
+    assert [found.value(place, 0).value for place in ("VW100", "VB100", "VB101", "VD99")] == [
+        0x1234,
+        0x12,
+        0x34,
+        0x01123400,
+    ]
     assert [found[bit] for bit in ("Q0.0", "Q0.1", "V100.0", "V100.1", "V101.5")] == ["1", "1", "0", "1", "1"]
 
 
@@ -280,21 +316,33 @@ def test_an_accumulator_gives_as_much_as_is_asked_for_and_keeps_the_rest() -> No
     assert found.value("AC1", 0).value == 0xFFFF
 
 
-@pytest.mark.parametrize("relation", ["=", "<>", ">=", "<=", ">", "<"])
+RELATIONS = {
+    "=": operator.eq,
+    "<>": operator.ne,
+    ">=": operator.ge,
+    "<=": operator.le,
+    ">": operator.gt,
+    "<": operator.lt,
+}
+
+
+@pytest.mark.parametrize("relation", RELATIONS)
 @settings(max_examples=25, deadline=None)
 @given(memory=MEMORY)
 def test_compares_see_bytes_unsigned_words_signed_and_reals_as_numbers(relation: str, memory: bytes) -> None:
-    how = {"=": "==", "<>": "!="}.get(relation, relation)
+    how = RELATIONS[relation]
     text = "\n".join(
         f"LD{letter}{relation} V{size}0, V{size}4\nAN I0.0\nO{letter}{relation} V{size}4, V{size}4\nA{letter}{relation} V{size}0, V{size}4\n= Q0.{at}"
         for at, (letter, size) in enumerate(("BB", "WW", "DD", "RD"))
     )
     found = run(read(text, "s7-200"), [first_scan(memory, [])])
     model = Bytes(memory)
-    pairs = [(model.get(f"V{size}0"), model.get(f"V{size}4")) for size in "BWD"] + [(model.real("VD0"), model.real("VD4"))]
+    pairs = [(model.get(f"V{size}0"), model.get(f"V{size}4")) for size in "BWD"] + [
+        (model.real("VD0"), model.real("VD4"))
+    ]
     for at, (a, b) in enumerate(pairs):
         if not (math.isnan(a) or math.isnan(b)):
-            assert found[f"Q0.{at}"] == str(int(eval(f"a {how} b"))), (a, b)
+            assert found[f"Q0.{at}"] == str(int(how(a, b))), (a, b)
 
 
 @settings(max_examples=120, deadline=None)
