@@ -264,11 +264,15 @@ def check_then(block: Block, trace: Trace) -> None:
             for start, value in zip(trace.starts, got, strict=True)
             if value != course.at(start)
         ]
-        assert not wrong, f"{course.address}: {wrong[:6]} … {len(wrong)} scans; changes at {trace.edges(course.address)[:60]}"
+        assert not wrong, (
+            f"{course.address}: {wrong[:6]} … {len(wrong)} scans; changes at {trace.edges(course.address)[:60]}"
+        )
     for most, places in (row.removeprefix("at most ").split(" of ") for row in rows if row.startswith("at most ")):
         on = zip(*(trace[place] for place in places.split()), strict=True)
         assert max(values.count("1") for values in on) <= int(most)
-    for every, place in (row.removeprefix("turns every ").split(": ") for row in rows if row.startswith("turns every ")):
+    for every, place in (
+        row.removeprefix("turns every ").split(": ") for row in rows if row.startswith("turns every ")
+    ):
         changes = [ms for ms, _ in trace.edges(place)][1:]
         assert len(changes) > 1
         assert {b - a for a, b in pairwise(changes)} == {milliseconds(every)}
