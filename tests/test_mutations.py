@@ -9,17 +9,21 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from itertools import pairwise, product
+from typing import TYPE_CHECKING
 
 import pytest
 
 from plcteach.core.notation import parse_effect, parse_formula
-from plcteach.core.spec import Dialect, Insn
 from plcteach.core.verb import Verb
 from plcteach.dialects import dialect
 from plcteach.machine import run
 from plcteach.machine.formula import name, written
 from plcteach.machine.step import step
 from plcteach.stl import read
+
+if TYPE_CHECKING:
+    from plcteach.core.insn import Insn
+    from plcteach.core.spec import Dialect
 
 # What the oracles look at: figures as names, programs as values.
 

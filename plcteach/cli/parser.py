@@ -105,9 +105,7 @@ def _making_verbs(verbs: Any, common: argparse.ArgumentParser, reading: argparse
 
     one = _verb(verbs, "play", verbs_of.play_verb, [reading], "write a player page that needs no kernel and no network")
     one.add_argument("file", help="the program; - for standard input")
-    one.add_argument(
-        "--inputs", help="as for run (default: one scan with inputs that tell the instructions apart)"
-    )
+    one.add_argument("--inputs", help="as for run (default: one scan with inputs that tell the instructions apart)")
     one.add_argument("--at", type=float, default=0, metavar="SECONDS", help="begin so many seconds into the run")
     one.add_argument("--scans", type=int, help="how many scans to show (default: all that have room)")
     one.add_argument("-o", "--output", type=Path, required=True, help="the page, such as player.html")

@@ -15,7 +15,8 @@ if TYPE_CHECKING:
 
     from plcteach.core.diagnostic import Diagnostic
     from plcteach.core.effect import Effect
-    from plcteach.core.spec import Dialect, Insn
+    from plcteach.core.insn import Insn
+    from plcteach.core.spec import Dialect
 
 
 @dataclass(frozen=True, slots=True)

@@ -13,7 +13,8 @@ from plcteach.dialects.neza import NEZA
 from plcteach.dialects.s7200 import S7_200, S7_200_SMART
 
 if TYPE_CHECKING:
-    from plcteach.core.spec import Dialect, Insn
+    from plcteach.core.insn import Insn
+    from plcteach.core.spec import Dialect
 
 _ALL = {one.name: one for one in (S7_200, S7_200_SMART, FX, NEZA, GUTTA)}
 

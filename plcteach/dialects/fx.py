@@ -9,7 +9,8 @@ from __future__ import annotations
 
 from plcteach.core.area import Area, blocks, kind, words
 from plcteach.core.block import Bank, Block
-from plcteach.core.spec import RELATIONS, Dialect, Limit, Sample, Stack, insn
+from plcteach.core.insn import RELATIONS, insn
+from plcteach.core.spec import Dialect, Limit, Sample, Stack
 from plcteach.core.text import Text
 from plcteach.core.verb import END, clear, coil, drive, go, reset, set_, shift, work
 

@@ -7,7 +7,8 @@ from __future__ import annotations
 
 from plcteach.core.area import Area, blocks, kind, words
 from plcteach.core.block import Bank, Block
-from plcteach.core.spec import RELATIONS, Dialect, Sample, Stack, compares, insn
+from plcteach.core.insn import RELATIONS, compares, insn
+from plcteach.core.spec import Dialect, Sample, Stack
 from plcteach.core.text import Text
 from plcteach.core.verb import coil, drive, reset, set_, work
 

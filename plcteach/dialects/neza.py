@@ -8,7 +8,8 @@ from __future__ import annotations
 
 from plcteach.core.area import Area, blocks, kind, words
 from plcteach.core.block import Bank, Block, Setting
-from plcteach.core.spec import Dialect, Sample, Stack, insn
+from plcteach.core.insn import insn
+from plcteach.core.spec import Dialect, Sample, Stack
 from plcteach.core.text import Text
 from plcteach.core.verb import END, coil, go, pin, reset, set_, work
 

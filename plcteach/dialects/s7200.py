@@ -9,7 +9,8 @@ from dataclasses import replace
 
 from plcteach.core.area import Area, blocks, kind, words
 from plcteach.core.block import Bank, Block
-from plcteach.core.spec import RELATIONS, Dialect, Sample, Stack, compares, insn
+from plcteach.core.insn import RELATIONS, compares, insn
+from plcteach.core.spec import Dialect, Sample, Stack
 from plcteach.core.text import Text
 from plcteach.core.verb import END, coil, drive, go, reset, set_, shift, work
 

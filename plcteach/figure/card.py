@@ -19,7 +19,8 @@ from plcteach.machine.scan import run
 from plcteach.stl import read
 
 if TYPE_CHECKING:
-    from plcteach.core.spec import Dialect, Insn
+    from plcteach.core.insn import Insn
+    from plcteach.core.spec import Dialect
     from plcteach.figure.scene import Scene
 
 _BEFORE = Text("执行前", "before")
@@ -73,7 +74,9 @@ class Card:
     @property
     def kind(self) -> Text:
         """Whether it is a contact, a coil or a stack instruction."""
-        verbs = {verb.name for verb in self.insn.then if verb.name not in _VERBS["coil"] or verb.target in {"out", "direct"}}
+        verbs = {
+            verb.name for verb in self.insn.then if verb.name not in _VERBS["coil"] or verb.target in {"out", "direct"}
+        }
         for kind, names in _VERBS.items():
             if verbs & names:
                 return _CLASSES[kind]

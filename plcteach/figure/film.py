@@ -8,13 +8,13 @@ from __future__ import annotations
 
 import json
 from dataclasses import dataclass, field
-from hashlib import sha256
 from itertools import chain
 from typing import TYPE_CHECKING, Any
 
 from plcteach.core.diagnostic import rule
 from plcteach.core.effect import Name
 from plcteach.core.text import Text, joined
+from plcteach.figure.cast import cast
 from plcteach.figure.face import face_changes
 from plcteach.figure.faces import Blocks
 from plcteach.figure.says import says
@@ -35,9 +35,6 @@ if TYPE_CHECKING:
 
 MOST_STEPS = 2_000
 MOST_FORMULA_NODES = 120
-_SPARE_LEVELS = 1
-_FEWEST_DRAWN = 4
-_LONGEST_DRAWN = 12
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,10 +63,10 @@ def film(scans: Iterable[Scan[Column]], title: Text | None = None, *, rows: bool
     rows: number the lines by their rows in the text, as beside an editor, and not one after the other.
     """
     waiting = iter(scans)
-    scan = next(waiting)
-    program = scan.program
+    first = next(waiting)
+    program = first.program
     maker = _Maker(program, rows=rows)
-    for scan in chain([scan], waiting):
+    for scan in chain([first], waiting):
         if len(maker.steps) + len(program.lines) >= MOST_STEPS and maker.steps:
             title = joined((title or program.dialect.title, Text("（只放开头部分）", "(the beginning only)")))
             break
@@ -220,7 +217,7 @@ class _Maker:
         self.steps.append({name: value for name, value in shot.items() if name == "cells" or value not in ({}, [])})
 
     def put_aside(self, step: Step[Column]) -> dict[str, str]:
-        """A call puts the whole stack aside and begins another, a return brings the first one back; give the keys that go."""
+        """Put the whole stack aside at a call, and bring it back at the return; give the keys that go."""
         main = step.before[0]
         last, self.last = self.last, step.after[0]
         kept = self.kept_keys.get(id(main))
@@ -310,49 +307,10 @@ class _Maker:
         return joined(told) if told else None
 
     def data(self, title: Text) -> dict[str, Any]:
-        lines = [
-            {"text": line.text, "comment": line.comment, "row": line.span.row, "network": number}
-            for number, network in enumerate(self.program.networks)
-            for line in network.lines
-        ]
-        if not self.rows or len({line["row"] for line in lines}) < len(lines):
-            lines = [{**line, "number": number} for number, line in enumerate(lines, 1)]
-        firsts = [sum(len(one.lines) for one in self.program.networks[:at]) for at in range(len(self.program.networks))]
-        return {
-            "title": title.as_dict(),
-            "digest": _digest(self.program),
-            "lines": lines,
-            "networks": [
-                {"title": _heading(self.program, number), "first": first} for number, first in enumerate(firsts)
-            ],
-            "columns": [self.column(number) for number in range(len(self.dialect.stacks))],
-            "texts": list(self.texts),
-            "steps": self.steps,
-            **({"faces": self.first_faces} if self.first_faces else {}),
-        }
-
-    def column(self, number: int) -> dict[str, Any]:
-        stack = self.dialect.stacks[number]
-        whole = stack.depth if stack.depth <= _LONGEST_DRAWN else 0
-        used = max(self.heights[number] + _SPARE_LEVELS, _FEWEST_DRAWN)
-        column: dict[str, Any] = {
-            "id": stack.name or "main",
-            "title": stack.title.as_dict(),
-            "depth": stack.depth,
-            "drawn": whole or min(used, stack.depth),
-            "fixed": stack.fixed,
-        }
-        if stack.register:
-            column["register"] = stack.register.as_dict()
-        return column
-
-
-def _heading(program: Program, number: int) -> str:
-    network = program.networks[number]
-    if not network.headed:
-        return ""
-    head = f"{program.dialect.heading} {number + 1}"
-    return f"{head}: {network.title}" if network.title else head
+        """Give the whole film."""
+        film = cast(self.program, self.heights, rows=self.rows) | {"title": title.as_dict()}
+        film |= {"texts": list(self.texts), "steps": self.steps}
+        return film | ({"faces": self.first_faces} if self.first_faces else {})
 
 
 def _name(step: Step[Column], stack: int, place: int) -> str:
@@ -373,8 +331,3 @@ def figure_names(effect: Effect, height: int) -> list[str]:
     """Name the cells before an instruction as its figure does, top first: its labels for those it takes, iv0, iv1 … else."""
     takes = [take.name for take in effect.clauses[0].takes][::-1] if effect.labelled else []
     return [takes[place] if place < len(takes) else f"iv{place - len(takes)}" for place in range(height)]
-
-
-def _digest(program: Program) -> str:
-    text = "\n".join(line.text for line in program.lines)
-    return sha256(f"{program.dialect.name}\n{text}".encode()).hexdigest()[:8]

@@ -21,8 +21,9 @@ if TYPE_CHECKING:
 
     from plcteach.core.area import Address
     from plcteach.core.effect import Effect
+    from plcteach.core.insn import Insn, Operand
     from plcteach.core.program import Arg
-    from plcteach.core.spec import Dialect, Insn, Operand
+    from plcteach.core.spec import Dialect
 
 Columns = tuple[tuple[str, ...], ...]
 

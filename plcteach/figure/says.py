@@ -16,7 +16,8 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
 
     from plcteach.core.effect import Formula, Origin
-    from plcteach.core.spec import Dialect, Insn
+    from plcteach.core.insn import Insn
+    from plcteach.core.spec import Dialect
     from plcteach.core.verb import Verb
     from plcteach.machine.signals import Column
     from plcteach.machine.step import Step

@@ -30,7 +30,6 @@ if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping, Sequence
 
     from plcteach.core.diagnostic import Diagnostic
-
     from plcteach.core.program import Program
     from plcteach.core.spec import Dialect
     from plcteach.core.text import Text

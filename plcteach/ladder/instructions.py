@@ -11,8 +11,9 @@ from plcteach.core.effect import Edge, Formula, Name, Not
 
 if TYPE_CHECKING:
     from plcteach.core.effect import Clause, Effect
+    from plcteach.core.insn import Insn
     from plcteach.core.ladder import CoilKind, Contact
-    from plcteach.core.spec import Dialect, Insn, Role
+    from plcteach.core.spec import Dialect, Role
 
 
 def contact_word(dialect: Dialect, role: Role, contact: Contact) -> Insn | None:

@@ -34,7 +34,8 @@ from plcteach.ladder.meaning import meaning
 
 if TYPE_CHECKING:
     from plcteach.core.effect import Effect
-    from plcteach.core.spec import Dialect, Insn, Role
+    from plcteach.core.insn import Insn
+    from plcteach.core.spec import Dialect, Role
 
 __all__ = ["LoweredLine", "lower", "lower_lines", "meaning"]
 

@@ -7,13 +7,13 @@ from typing import TYPE_CHECKING, Any, Generic, Protocol, TypeVar
 
 from plcteach.core.area import Address
 from plcteach.core.effect import At, Both, Edge, Flow, Formula, Name, Not, Origin
+from plcteach.core.insn import REGISTERS
 from plcteach.core.program import Compare
-from plcteach.core.spec import REGISTERS
 from plcteach.machine.signals import Signal
 
 if TYPE_CHECKING:
+    from plcteach.core.insn import Operand
     from plcteach.core.program import Arg, Line
-    from plcteach.core.spec import Operand
     from plcteach.core.verb import Verb
 
 S = TypeVar("S", bound=Signal)

@@ -16,8 +16,8 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
 
     from plcteach.core.area import Address
+    from plcteach.core.insn import Operand
     from plcteach.core.program import Compare, Program
-    from plcteach.core.spec import Operand
 
 MOST_NODES = 2_000
 

@@ -206,9 +206,31 @@ class Generated:
 
     def _compiled(self) -> Callable[..., tuple[Any, ...]] | None:
         """Write the scan down; None where it writes bits or numbers that were not known yet, which now are."""
-        text = _Text()
+        text, image = _Text(), _Image()
+        world = self._world(text, image)
+        before = world.memory
+        try:
+            for _ in Course(world).steps():
+                pass
+        except Mixed:
+            raise Unsure from None
+        after = world.after()
+        if set(after.past) != set(before.past):
+            raise Unsure
+        if self._learned(before, after):
+            return None
+        self.image = tuple(image.names)
+        results = [after.bits[key] for key in self.bits] + [after.words[key] for key in self.words]
+        results += [after.past[key] for key in self.past]
+        results += [(after.image or {}).get(key, world.domain.zero) for key in self.image]
+        if not all(one.name for one in results):
+            raise Unsure
+        return self._function(text, [one.name for one in results])
+
+    def _world(self, text: _Text, image: _Image) -> _Plant:
+        """Give a plant in which everything is a variable."""
         domain = _Writing(Code("0", text), Code("1", text), Code("", text), text)
-        image = _Image(text)
+        image.text = text
         before = Memory(
             {key: Code(f"b{at}", text) for at, key in enumerate(self.bits)},
             {key: Code(f"p{at}", text) for at, key in enumerate(self.past)},
@@ -222,29 +244,17 @@ class Generated:
         world.bits |= world.inputs
         world.words |= {key: value for key, value in inputs.items() if key in self.numbers}
         world.image |= world.inputs
-        try:
-            for _ in Course(world).steps():
-                pass
-        except Mixed:
-            raise Unsure from None
-        after = world.after()
-        if set(after.past) != set(before.past):
-            raise Unsure
+        return world
+
+    def _learned(self, before: Memory[Code], after: Memory[Code]) -> bool:
+        """Take up bits and numbers that the scan writes and the state does not have yet; True if there were any."""
         known = {*self.fed, *self.program.dialect.specials}
-        new = [key for key in after.bits if key not in known and key not in before.bits]
-        if any(PIN in key for key in new):
+        bits = [key for key in after.bits if key not in known and key not in before.bits]
+        words = [key for key in after.words if key not in known and key not in before.words]
+        if any(PIN in key for key in bits):
             raise Unsure
-        numbers = [key for key in after.words if key not in known and key not in before.words]
-        if new or numbers:
-            self.bits, self.words = (*self.bits, *new), (*self.words, *numbers)
-            return None
-        self.image = tuple(image.names)
-        results = [after.bits[key] for key in self.bits] + [after.words[key] for key in self.words]
-        results += [after.past[key] for key in self.past]
-        results += [(after.image or {}).get(key, domain.zero) for key in self.image]
-        if not all(one.name for one in results):
-            raise Unsure
-        return self._function(text, [one.name for one in results])
+        self.bits, self.words = (*self.bits, *bits), (*self.words, *words)
+        return bool(bits or words)
 
     def _function(self, text: _Text, results: list[str]) -> Callable[..., tuple[Any, ...]]:
         names = [f"b{at}" for at in range(len(self.bits))] + [f"w{at}" for at in range(len(self.words))]
@@ -306,8 +316,8 @@ class Generated:
 class _Image:
     """The bits at the last scan's start: those that an edge asks for become variables."""
 
-    def __init__(self, text: _Text) -> None:
-        self.text = text
+    def __init__(self) -> None:
+        self.text = _Text()
         self.names: dict[str, Code] = {}
 
     def get(self, key: str, default: Code) -> Code:

@@ -13,8 +13,8 @@ if TYPE_CHECKING:
     from collections.abc import Mapping
 
     from plcteach.core.area import Address
+    from plcteach.core.insn import Operand
     from plcteach.core.program import Program
-    from plcteach.core.spec import Operand
     from plcteach.machine.step import Step
     from plcteach.machine.words import Domain
 

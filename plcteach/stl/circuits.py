@@ -20,7 +20,8 @@ from plcteach.stl.tokens import Heading
 if TYPE_CHECKING:
     from plcteach.core.diagnostic import Diagnostic
     from plcteach.core.effect import Effect
-    from plcteach.core.spec import Dialect, Insn
+    from plcteach.core.insn import Insn
+    from plcteach.core.spec import Dialect
 
 
 @dataclass(slots=True, eq=False)

@@ -16,7 +16,7 @@ from plcteach.stl.words import Word
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from plcteach.core.spec import Insn, Operand
+    from plcteach.core.insn import Insn, Operand
     from plcteach.stl.operands import Operands
 
 LONGEST = 120

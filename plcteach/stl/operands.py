@@ -17,7 +17,8 @@ if TYPE_CHECKING:
 
     from plcteach.core.area import Kind
     from plcteach.core.diagnostic import Diagnostic
-    from plcteach.core.spec import Dialect, Insn, Operand
+    from plcteach.core.insn import Insn, Operand
+    from plcteach.core.spec import Dialect
     from plcteach.stl.words import Word
 
 _NUMBER = re.compile(r"[+-]?\d{1,9}")

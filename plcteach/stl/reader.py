@@ -25,7 +25,8 @@ from plcteach.stl.tokens import Heading, Statement, Word, cut
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
 
-    from plcteach.core.spec import Dialect, Insn
+    from plcteach.core.insn import Insn
+    from plcteach.core.spec import Dialect
     from plcteach.stl.symbols import Symbols
 
 _MOST_SUGGESTIONS = 200

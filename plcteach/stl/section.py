@@ -17,8 +17,8 @@ from plcteach.core.text import Text, same
 from plcteach.stl.words import Word
 
 if TYPE_CHECKING:
+    from plcteach.core.insn import Insn
     from plcteach.core.program import Arg, Line
-    from plcteach.core.spec import Insn
     from plcteach.stl.operands import Operands
 
 OPEN, OUTPUTS, CLOSE = "BLK", "OUT_BLK", "END_BLK"

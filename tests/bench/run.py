@@ -268,13 +268,18 @@ def scans() -> None:
     from plcteach.machine.words import BITS
     from plcteach.stl import read
 
-    for name, text in (("14 lines of contacts and branches", PROGRAM), ("the same with timers, counter, edge, compare", TIMED)):
+    for name, text in (
+        ("14 lines of contacts and branches", PROGRAM),
+        ("the same with timers, counter, edge, compare", TIMED),
+    ):
         program, count = read(text, "s7-200"), 2_000
         rows = [{f"I0.{bit}": (scan >> bit) & 1 for bit in range(7)} for scan in range(64)] * (count // 64)
         trace = run(program, rows[:100])
         start = trace.scans[50]
         traced_scan = best(lambda start=start: [tuple(start.walk()) for _ in range(50)]) / 50
-        line_by_line = best(lambda p=program, s=start: [sweep(p, s.before, s.inputs, BITS, ms=10) for _ in range(50)]) / 50
+        line_by_line = (
+            best(lambda p=program, s=start: [sweep(p, s.before, s.inputs, BITS, ms=10) for _ in range(50)]) / 50
+        )
         made = recorder.Generated(program, start.before, tuple(start.inputs))
         state, given, ticks = made.state(start.before), made.given(start.inputs), made.ticks(1, 10)
         generated = best(lambda m=made, a=(state, given, ticks): [m.call(*a, 10) for _ in range(2_000)]) / 2_000

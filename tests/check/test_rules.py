@@ -93,7 +93,9 @@ def test_a_list_of_another_family_is_recognised() -> None:
 SAMPLED = {sample.code for _, sample in SAMPLES}
 
 
-@pytest.mark.parametrize("code", [code for code in RULES if code[:3] not in {"STK", "COI", "RDR"} and code not in SAMPLED])
+@pytest.mark.parametrize(
+    "code", [code for code in RULES if code[:3] not in {"STK", "COI", "RDR"} and code not in SAMPLED]
+)
 def test_every_other_code_stands_in_some_other_test(code: str) -> None:
     home = {
         "CHK": "check/test_same.py",

@@ -12,9 +12,10 @@ from hypothesis import strategies as st
 from plcteach import dialects
 from plcteach.core.area import Address, Area, kind
 from plcteach.core.errors import DeclarationError, UnknownNameError
-from plcteach.core.spec import Dialect, Operand, Sample, Stack, insn, parse_operand
-from plcteach.core.verb import coil, set_
+from plcteach.core.insn import Operand, insn, parse_operand
+from plcteach.core.spec import Dialect, Sample, Stack
 from plcteach.core.text import Text
+from plcteach.core.verb import coil, set_
 
 S7 = dialects.dialect("s7-200")
 FX = dialects.dialect("fx")

@@ -6,16 +6,19 @@ The programs are the examples of each family's table, which together use every i
 from __future__ import annotations
 
 from random import Random
+from typing import TYPE_CHECKING
 
 import pytest
 
-from plcteach.core.program import Program
 from plcteach.dialects import families
 from plcteach.machine import recorder, run
 from plcteach.machine.generated import Generated, Unsure
 from plcteach.machine.lanes import lanes
-from plcteach.machine.scan import Trace
 from plcteach.stl import read
+
+if TYPE_CHECKING:
+    from plcteach.core.program import Program
+    from plcteach.machine.scan import Trace
 
 SCANS = 90
 EXAMPLES = [(family.name, text) for family in families() for text in family.examples]

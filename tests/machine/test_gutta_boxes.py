@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from plcteach.check import lint
 from plcteach.core.errors import DeclarationError, NotRepresentableError, UnknownNameError
-from plcteach.core.spec import insn
+from plcteach.core.insn import insn
 from plcteach.core.verb import coil, work
 from plcteach.dialects import dialect, extended
 from plcteach.figure.card import Card

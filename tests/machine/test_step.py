@@ -10,9 +10,9 @@ from hypothesis import strategies as st
 
 from plcteach.core.area import Address
 from plcteach.core.effect import Shape
+from plcteach.core.insn import Insn, Operand
 from plcteach.core.notation import parse_effect
 from plcteach.core.program import Line
-from plcteach.core.spec import Insn, Operand
 from plcteach.core.text import same
 from plcteach.dialects import dialect
 from plcteach.machine import ONE, ZERO, Column, X, step

@@ -17,8 +17,9 @@ from plcteach.stl import read, write, write_bytes
 from plcteach.stl.writer import Form
 
 if TYPE_CHECKING:
+    from plcteach.core.insn import Insn, Operand
     from plcteach.core.program import Program
-    from plcteach.core.spec import Dialect, Insn, Operand
+    from plcteach.core.spec import Dialect
 
 
 def test_the_canonical_text() -> None:

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
 
     from plcteach.core.diagnostic import Diagnostic, Rule
-    from plcteach.core.spec import Insn
+    from plcteach.core.insn import Insn
     from plcteach.machine.walk import Cell, Move, Walk
 
 _FETCHES = {"read", "pop"}
