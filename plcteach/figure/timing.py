@@ -112,8 +112,12 @@ def _cut(text: Text, room: float, size: float) -> Text:
     return Text(_cut_words(text.zh, room, size), _cut_words(text.en, room, size))
 
 
+_SLACK = 0.01
+"""Widths are sums, and sums of fractions are a little off."""
+
+
 def _cut_words(words: str, room: float, size: float, *, code: bool = False) -> str:
-    if extent(words, size, code=code) <= room:
+    if extent(words, size, code=code) <= room + _SLACK:
         return words
     while words and extent(words + "…", size, code=code) > room:
         words = words[:-1]

@@ -6,6 +6,7 @@ stands in the dialect's table and in the program's configuration.
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from plcteach.machine import counters, registers
@@ -78,9 +79,10 @@ def clock_of(world: Any, target: Address) -> Clock:
     )
 
 
-def ticked_clock(world: Any, target: Address, op: str, dt: Any) -> Clock:
-    """Give a timer after `dt` ms."""
+def ticked_clock(world: Any, target: Address, op: str, dt: Any, goal: Any = None) -> Clock:
+    """Give a timer after `dt` ms; `goal`: where its preset is another one by now."""
     block, clock = world.dialect.block(target), clock_of(world, target)
+    clock = clock if goal is None else replace(clock, goal=goal)
     top = clock.goal if block.stops else world.domain.number(block.most * world.base(target))
     return ticked(world.domain, clock, dt, op, top)
 
@@ -89,10 +91,12 @@ def _timer(doing: Evaluation[Any], op: str, target: Address, pins: Pins, preset:
     world = doing.world
     block, bank = world.dialect.block(target), world.dialect.bank(target)
     op = timer_op(world, op, target)
-    clock = ticked_clock(world, target, op, world.dt) if bank.when == "line" else clock_of(world, target)
     goal = world.preset(target, preset).times(world.base(target))
+    clock = clock_of(world, target)
     if block.latches:
         goal = world.domain.pick(clock.going, clock.goal, goal)
+    if bank.when == "line":
+        clock = ticked_clock(world, target, op, world.dt, goal)
     after = DRIVES[op](world.domain, clock, pins["IN"], goal)
     doing.written.append((_field(doing, target, block.bit), after.bit))
     doing.kept += [(f"{target.text}.going", after.going), (f"{target.text}.was", after.was)]

@@ -32,7 +32,7 @@ def ticked(domain: Domain[Any], clock: Clock, dt: Any, op: str, top: Any) -> Clo
     if op in {"on", "retentive"}:
         ms = clock.ms + dt
         ms = domain.pick(clock.going, domain.pick(ms.ge(top), top, ms), clock.ms)
-        return replace(clock, ms=ms, bit=clock.bit | clock.going & ms.ge(clock.goal))
+        return replace(clock, ms=ms, bit=domain.pick(clock.going, ms.ge(clock.goal), clock.bit))
     ms = clock.ms + dt
     ms = domain.pick(clock.going, domain.pick(ms.ge(clock.goal), clock.goal, ms), clock.ms)
     due = clock.going & ms.ge(clock.goal)
