@@ -16,6 +16,7 @@ from typing import Any
 _WORDS = {
     "read": "stl",
     "write": "stl",
+    "read_symbols": "stl",
     "run": "figure.verbs",
     "lint": "check",
     "compare": "check",

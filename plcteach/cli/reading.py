@@ -97,6 +97,9 @@ def _check(name: str, address: str, value: object, program: Program) -> None:
         what = "a word, so it is a whole number" if word else "a bit, so it is 0 or 1"
         msg = f"{name}: {address} is {what}"
         raise CallError(msg)
+    if isinstance(place, Address) and not -(1 << place.size >> 1) <= value < 1 << place.size:
+        msg = f"{name}: {address} has {place.size} bits, and {value} does not fit"
+        raise CallError(msg)
     if address == "ms" and not 0 <= value <= MOST_MS:
         msg = f"{name}: a scan lasts 0 to {MOST_MS} ms, not {value}"
         raise CallError(msg)

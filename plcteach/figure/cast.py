@@ -61,5 +61,5 @@ def _heading(program: Program, number: int) -> str:
 
 
 def _digest(program: Program) -> str:
-    text = "\n".join(line.text for line in program.lines)
+    text = "\n".join((*program.configuration, *(line.text for line in program.lines)))
     return sha256(f"{program.dialect.name}\n{text}".encode()).hexdigest()[:8]

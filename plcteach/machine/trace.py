@@ -164,7 +164,9 @@ class Trace:
         if not self.starts:
             return []
         dialect = self.program.dialect
-        named = {bit.text for bit in dialect.bits_of(place)} or {dialect.whole(place).text}
+        named = {bit.text for bit in dialect.bits_of(place)}
+        if not named or place.field:
+            named.add(dialect.whole(place).text)
         touched = [when for key, (when, _) in self.changes.items() if key in named or key.split(".")[0] in named]
         if not touched and place.size != 1:
             touched = [when for key, (when, _) in self.changes.items() if key.startswith(place.area)]

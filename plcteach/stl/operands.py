@@ -23,6 +23,8 @@ if TYPE_CHECKING:
 
 _NUMBER = re.compile(r"[+-]?\d{1,9}")
 _REAL = re.compile(r"[+-]?\d{1,20}\.\d{1,20}(?:[Ee][+-]?\d{1,3})?")
+_NAME = re.compile(r'"[^"]+"|[^\W\d]{3,}\w*')
+_SYMBOL = Text("如果它是符号名，还需要符号表。", "If it is a symbol, its table is wanted too.")
 _OCTAL = 8
 _HEX = 16
 _LONGEST_ADDRESS = 16
@@ -249,7 +251,8 @@ class Operands:
         ]
         if digits.startswith("%"):
             tries.append(digits[1:])
-        return did_you_mean(tuple(one for one in tries if isinstance(self.dialect.address(one), Address))[:1])
+        near = tuple(one for one in tries if isinstance(self.dialect.address(one), Address))[:1]
+        return did_you_mean(near) if near or not _NAME.fullmatch(word) else _SYMBOL
 
 
 def limits(kind: Kind) -> tuple[int, int]:

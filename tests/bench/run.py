@@ -7,6 +7,7 @@ hostile    texts made to hang a reader
 columns    equivalence over 2^n rows by columns against the same rows one by one
 scans      generated scans against scans executed line by line, traced or not, and against awlsim where it is installed
            (pip install -e '.[bench]'); awlsim runs the S7-300's list of the same circuit, with timers left out
+growth     how cost grows with the length of a program and with virtual time
 lanes      a thousand timelines side by side against one after the other
 memory     ten minutes of virtual time at 10 ms scans: how long it takes and how much it keeps
 """
@@ -246,19 +247,37 @@ TIMED = (
 )
 
 
-def awlsim() -> float | None:
-    """Give the seconds of one awlsim cycle of the same circuit; None where awlsim is not installed."""
+def awlsim(circuits: int = 1, *, called: bool = False) -> float | None:
+    """Give the seconds of one awlsim cycle of the same circuit, so many times; None where awlsim is not installed.
+
+    called: with its own callback after every instruction, which keeps a trace as plcteach does.
+    """
     try:
         machine = import_module("awlsim.core.main").AwlSim()  # first: its rooms find each other only in this order
         parser = import_module("awlsim.awlcompiler").AwlParser()
         source = import_module("awlsim.common.sources").AwlSource
     except ImportError:
         return None
-    parser.parseSource(source(name="bench", filepath="bench.awl", sourceBytes=AWL.encode()))
+    head, body, tail = (
+        AWL.partition("BEGIN\n")[0] + "BEGIN\n",
+        AWL.partition("BEGIN\n")[2].rpartition("END_")[0],
+        "END_ORGANIZATION_BLOCK\n",
+    )
+    parser.parseSource(source(name="bench", filepath="bench.awl", sourceBytes=(head + body * circuits + tail).encode()))
     machine.load(parser.getParseTree())
     machine.build()
     machine.startup()
-    return best(lambda: [machine.runCycle() for _ in range(500)]) / 500
+    trace: list[object] = []
+    if called:
+        machine.cpu.setPostInsnCallback(lambda *_: trace.append(machine.cpu.statusWord.VKE))
+    cycles = max(3, 500 // circuits)
+
+    def work() -> None:
+        trace.clear()
+        for _ in range(cycles):
+            machine.runCycle()
+
+    return best(work) / cycles
 
 
 def scans() -> None:
@@ -292,14 +311,46 @@ def scans() -> None:
             ("traced / generated (the issue asks for at least 10)", f"{traced_scan / generated:8.0f} times"),
             ("traced / run()", f"{traced_scan / whole:8.1f} times"),
         ]
-        theirs = awlsim() if text == PROGRAM else None
-        if theirs:
+        theirs, watched = (awlsim(called=called) if text == PROGRAM else None for called in (False, True))
+        if theirs and watched:
+            count = len(program.lines)
             found += [
                 ("awlsim, one cycle of the same circuit", f"{theirs * 1e6:8.1f} us"),
+                ("awlsim with a callback after each instruction", f"{watched * 1e6:8.1f} us"),
                 ("awlsim / generated", f"{theirs / generated:8.1f} times"),
                 ("awlsim / run()", f"{theirs / whole:8.1f} times"),
+                ("traced: instructions a second here", f"{count / traced_scan:10,.0f}"),
+                ("traced: awlsim's, by its callback", f"{16 / watched:10,.0f}"),
             ]
         show(f"scans: {name}", *found)
+
+
+def growth() -> None:
+    """Show how cost grows with the length of a program and with virtual time."""
+    from plcteach.machine import run
+    from plcteach.stl import read
+
+    rows = []
+    for copies in (1, 10, 100, 700):
+        program = read("\n".join([PROGRAM] * copies), "s7-200")
+        short = best(lambda p=program: run(p, 3), 3) / 3
+        many = best(lambda p=program: run(p, 600), 2) / 600
+        theirs = awlsim(copies)
+        beside = f", awlsim {theirs * 1e6:10.1f} us" if theirs else ""
+        rows.append(
+            (
+                f"{len(program.lines):6,} lines",
+                f"{short * 1e6:10.0f} us line by line, {many * 1e6:8.1f} us of 600{beside}",
+            )
+        )
+    program = read(TIMED, "s7-200")
+    for seconds in (1, 10, 100, 600):
+        count = seconds * 100
+        took = best(lambda p=program, n=count: run(p, [{"I0.0": scan // 700 % 2} for scan in range(n)]), 2)
+        rows.append(
+            (f"{seconds:4} s of virtual time, {count:6,} scans", f"{took:8.3f} s, {took / count * 1e6:6.1f} us a scan")
+        )
+    show("growth: a scan by the length of the program, a run by virtual time", *rows)
 
 
 def lanes() -> None:
@@ -356,7 +407,7 @@ def memory() -> None:
     )
 
 
-BENCHMARKS = {one.__name__: one for one in (step, traced, imports, columns, hostile, scans, lanes, memory)}
+BENCHMARKS = {one.__name__: one for one in (step, traced, imports, columns, hostile, scans, growth, lanes, memory)}
 
 if __name__ == "__main__":
     for wanted in sys.argv[1:] or BENCHMARKS:
