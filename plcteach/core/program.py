@@ -163,10 +163,19 @@ class Program:
         return not errors(self.diagnostics)
 
     def addresses(self, role: str) -> tuple[Address, ...]:
-        """Give the bits of one role ("input", "output", "memory") that the program names, in order of index."""
-        found = {
-            one for line in self.lines for arg in _touched(self.dialect, line) for one in self.dialect.bits_of(arg)
-        }
+        """Give the bits of one role ("input", "output", "memory") that the program or its configuration names, in order of index."""
+        touched = [arg for line in self.lines for arg in _touched(self.dialect, line)]
+        listed = [
+            word
+            for said in self.settings.values()
+            for words in said.values()
+            if isinstance(words, tuple)
+            for word in words
+        ]
+        touched += [
+            place for word in listed if isinstance(place := self.dialect.address(word), Address) and place.size == 1
+        ]
+        found = {one for arg in touched for one in self.dialect.bits_of(arg)}
         mine = (address for address in found if self.dialect.area(address).role == role)
         return tuple(sorted(mine, key=lambda address: (address.area, address.index, address.text)))
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from plcteach.core.program import Program
+    from plcteach.core.program import Line, Program
     from plcteach.core.spec import Stack
 
 _SPARE_LEVELS = 1
@@ -19,7 +19,7 @@ _LONGEST_DRAWN = 12
 def cast(program: Program, heights: Sequence[int], *, rows: bool) -> dict[str, Any]:
     """Give the film's fixed part; `heights`: how high each stack ever was; `rows`: number the lines by their rows."""
     lines: list[dict[str, Any]] = [
-        {"text": line.text, "comment": line.comment, "row": line.span.row, "network": number}
+        {"text": line.text, "comment": line.comment or _named(program, line), "row": line.span.row, "network": number}
         for number, network in enumerate(program.networks)
         for line in network.lines
     ]
@@ -32,6 +32,13 @@ def cast(program: Program, heights: Sequence[int], *, rows: bool) -> dict[str, A
         "networks": [{"title": _heading(program, number), "first": first} for number, first in enumerate(firsts)],
         "columns": [_column(stack, height) for stack, height in zip(program.dialect.stacks, heights, strict=True)],
     }
+
+
+def _named(program: Program, line: Line) -> str:
+    """Give the symbols of a line's addresses, where a table has named them."""
+    return ", ".join(
+        f"{place.text} = {program.symbols[place.text]}" for place in line.places if place.text in program.symbols
+    )
 
 
 def _column(stack: Stack, height: int) -> dict[str, Any]:
