@@ -34,7 +34,8 @@ class Findings(tuple[Diagnostic, ...]):
         if not self:
             return f"<p>{NOTHING_FOUND.in_(language())}</p>"
         rows = "".join(
-            f"<tr><td>{one.span.row}</td><td><code>{one.code}</code></td><td>{escape(one.text.in_(language()))}</td></tr>"
+            f"<tr><td>{one.span.row}</td><td><code>{one.code}</code></td>"
+            f'<td style="text-align: left">{escape(one.text.in_(language()))}</td></tr>'
             for one in self
         )
         return f"<table>{rows}</table>"

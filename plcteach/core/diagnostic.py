@@ -665,6 +665,20 @@ _ROWS = (
             "A number has one current value and one bit; two kinds of timer that share it overwrite each other.",
         ),
     ),
+    Rule(
+        "TMR003",
+        "timer-resets-itself",
+        "warning",
+        Text(
+            "{address}用自己的常闭触点复位自己，而它的位是{when}接通的：多半还没有别的指令看到它，它就又断开了。让一个中间位来复位它？",
+            "{address} resets itself by its own normally closed contact, but its bit comes on {when}: mostly it is off again before any other line has seen it. Should a bit of memory reset it?",
+        ),
+        Text(
+            "只有100 ms定时器在执行到自己的指令时才刷新；1 ms和10 ms定时器要用一个中间位复位。",
+            "Only a 100 ms timer is brought up to date at its own instruction; 1 ms and 10 ms timers want a bit of memory between.",
+        ),
+        (22,),
+    ),
     # BOX: ladder boxes that become two instructions
     Rule(
         "BOX001",

@@ -64,7 +64,8 @@ class Insn:
     """One instruction: mnemonic, operands, what it does to the stacks, what else it does, and its name in two languages.
 
     fresh: the effect where the instruction opens a new circuit.  bare: the effect when the optional operand is left out.
-    close: the effect of the `)` that ends what this instruction opens.
+    close: the effect of the `)` that ends what this instruction opens.  separator: what its family's lists put between two
+    operands.
     """
 
     mnemonic: str
@@ -75,6 +76,7 @@ class Insn:
     fresh: Effect | None = None
     bare: Effect | None = None
     close: Effect | None = None
+    separator: str = ", "
 
     def __repr__(self) -> str:
         return f"Insn({self.mnemonic!r}, {self.effect.text!r})"

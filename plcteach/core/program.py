@@ -91,11 +91,13 @@ class Line:
 
     @property
     def text(self) -> str:
-        """The canonical spelling: mnemonic, a space, the operands separated by commas."""
+        """The canonical spelling: mnemonic, a space, the operands parted as the family does it."""
         if self.said:
             return self.said
         pairs = zip(self.insn.operands, self.args, strict=False)
-        operands = ", ".join(f"{one.mark}{arg}" if isinstance(arg, int) else arg.text for one, arg in pairs)
+        operands = self.insn.separator.join(
+            f"{one.mark}{arg}" if isinstance(arg, int) else arg.text for one, arg in pairs
+        )
         word = self.insn.word
         return f"{word} {operands}".strip() if operands else word
 

@@ -6,7 +6,7 @@ A row that cannot work (an operand nobody declares, a stack that is not there) f
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Literal
 
@@ -90,9 +90,11 @@ class Dialect:
     wraps: a sum that is too large is cut off; where False, the target stays as it was.
     retentive: for each area the first and last number that outlive a warm start.  constant: the letters before a number
     and its base ("K": 10, "H": 16).
+    first_heading: the number of the first network or rung.
     boxes: ladder boxes that the list has no instruction for, with the two instructions that they become.
     compound_ends: nothing may follow an output of several flows in its network (GUTTA).
     residue: how bad a leftover at the end of a network is; a warning where the CPU itself does not mind.
+    separator: what stands between two operands of a line.
     examples: small programs that together use every instruction; a card shows the first one that uses its own.
     """
 
@@ -117,6 +119,7 @@ class Dialect:
     samples: tuple[Sample, ...] = ()
     examples: tuple[str, ...] = ()
     heading: str = "Network"
+    first_heading: int = 1
     note_octal: Text = NOTHING
     blocks: tuple[Block, ...] = ()
     flags: Mapping[str, str] = field(default_factory=dict)
@@ -125,9 +128,14 @@ class Dialect:
     constant: Mapping[str, int] = field(default_factory=lambda: {"": 10, "16#": 16, "2#": 2})
     boxes: Mapping[str, tuple[str, str]] = field(default_factory=dict)
     compound_ends: bool = False
+    separator: str = ", "
 
     def __post_init__(self) -> None:
-        """Refuse a table that contradicts itself."""
+        """Tell the instructions how their operands are parted, and refuse a table that contradicts itself."""
+        rows = (
+            row if row.separator == self.separator else replace(row, separator=self.separator) for row in self.insns
+        )
+        object.__setattr__(self, "insns", tuple(rows))
         shapes = {stack.name for stack in self.stacks}
         areas = {area.prefix for area in self.areas}
         for row in self.insns:

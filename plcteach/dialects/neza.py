@@ -196,6 +196,7 @@ NEZA = Dialect(
     samples_edges_at_start=True,  # an %M written in scan n shows its edge in scan n+1
     networks_by_title=False,
     heading="RUNG",
+    first_heading=0,
     recognised=frozenset({"MCR", "MCS"}),
     blocks=(
         Block(

@@ -291,6 +291,7 @@ S7_200 = Dialect(
             "LD SM0.0; " + "; ".join(f"FOR VW{word}, 1, 2; LD SM0.0" for word in range(0, 16, 2)) + "; INCW VW100" + "; NEXT" * 8,
         ),
         Sample("TMR001", "LD I0.0; TON T5, 10; LD T5; = Q0.0", "LD I0.0; TONR T5, 10; LD T5; = Q0.0"),
+        Sample("TMR003", "LDN T33; TON T33, 30; LD T33; = Q0.0", "LDN M0.0; TON T33, 30; LD T33; = M0.0; = Q0.0"),
         Sample("TMR002", "LD I0.0; TON T37, 10; LD I0.1; TOF T37, 10", "LD I0.0; TON T37, 10; LD I0.1; TOF T38, 10"),
         Sample("RDR001", "LD I0.0; ADN I0.1; = Q0.0", "LD I0.0; AN I0.1; = Q0.0"),
         Sample("RDR002", "LD I0.0; PID VB100, 0", "LD I0.0; = Q0.0"),

@@ -60,7 +60,16 @@ def _value_of(program: Program, name: str) -> str:
 
 def chart_of(trace: Trace, addresses: Iterable[str] = (), *, title: Text | None = None, width: float = 720) -> Scene:
     """Draw the timing chart of a run."""
-    names = list(addresses) or telling_addresses(trace.program)
-    until = (trace.starts[-1] if trace.starts else 0) + trace.scan_ms
+    tracks = tracks_of(trace, list(addresses) or telling_addresses(trace.program))
     words = title or Text("时序图", "timing chart")
-    return chart_scene(tracks_of(trace, names), until, title=words, scans=trace.starts, width=width)
+    return chart_scene(tracks, _end(trace, tracks), title=words, scans=trace.starts, width=width)
+
+
+def _end(trace: Trace, tracks: list[Track]) -> int:
+    """Say where a chart ends: with the run, or well after the last change where nothing more happens."""
+    whole = (trace.starts[-1] if trace.starts else 0) + trace.scan_ms
+    last = max((track.changes[-1][0] for track in tracks if track.changes), default=0)
+    return min(whole, last + max(last // 3, _TAIL * trace.scan_ms)) if last else whole
+
+
+_TAIL = 5

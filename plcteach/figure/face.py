@@ -75,6 +75,7 @@ class Gauge:
         if not self.base:
             return NOTHING
         passed, wanted = (lasting(None if one is None else one * self.base) for one in (self.value, self.preset))
+        passed = "0" if self.value == 0 else passed
         return Text(f"已计{passed}，设定{wanted}", f"{passed} of {wanted}")
 
     def part(self, value: int) -> float:

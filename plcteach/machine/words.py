@@ -57,6 +57,18 @@ class Number:
     def __repr__(self) -> str:
         return "x" if self.value is None else str(self.value)
 
+    def __int__(self) -> int:
+        if self.value is None:
+            msg = "nobody knows this number (x)"
+            raise ValueError(msg)
+        return self.value
+
+    def __lt__(self, other: Number | int) -> bool:
+        return int(self) < int(other)
+
+    def __gt__(self, other: Number | int) -> bool:
+        return int(self) > int(other)
+
     def __add__(self, other: Number) -> Number:
         return UNKNOWN if self.value is None or other.value is None else Number(self.value + other.value)
 

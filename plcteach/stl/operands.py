@@ -237,7 +237,8 @@ class Operands:
         left, right = (self.word(insn, operand, word, kind) for word in words)
         if left is None or right is None:
             return None
-        return Compare(left, operand.relation, right, operand.kind, f"{left.text}, {right.text}")
+        text = self.dialect.separator.join((left.text, right.text))
+        return Compare(left, operand.relation, right, operand.kind, text)
 
     def near_address(self, word: str) -> Text:
         """Suggest an address for IO.0 (a letter O), I00 (no dot) or Q0,1."""

@@ -143,11 +143,15 @@ class _Cutter:
         code, comment = self.without_comments(number, plain, given)
         if comment and _LONE_NUMBER.fullmatch(code):
             code = ""
-        found = [
-            words
-            for first, last in pieces(code)
-            for words in closed(list(split(code, first, last, number, closers=self.closers)), closers=self.closers)
-        ]
+        found: list[list[Word]] = []
+        for first, last in pieces(code):
+            heading = _HEADING.fullmatch(code[first:last])
+            if heading and not self.interrupt:
+                self.add(number, found, "")
+                found = []
+                self.begin(Span(number, first, last), heading["rest"].strip())
+            else:
+                found += closed(list(split(code, first, last, number, closers=self.closers)), closers=self.closers)
         self.add(number, found, comment)
 
     def add(self, number: int, found: list[list[Word]], comment: str) -> None:

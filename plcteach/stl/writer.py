@@ -92,7 +92,7 @@ def _network(program: Program, network: Network, number: int, *, every: bool = F
 
 
 def _heading(program: Program, network: Network, number: int) -> str:
-    heading = f"{program.dialect.heading} {number}"
+    heading = f"{program.dialect.heading} {number - 1 + program.dialect.first_heading}"
     return f"{heading} {_remark(network.title)}" if network.title else heading
 
 

@@ -325,7 +325,7 @@ def test_real_instructions_that_are_not_run_are_refused_by_their_own_name(dialec
     assert word.upper() in found.text.en
 
 
-@pytest.mark.parametrize(("text", "canonical"), [("OUT T0 K10", "OUT T0, K10"), ("out c005 d7", "OUT C5, D7")])
+@pytest.mark.parametrize(("text", "canonical"), [("OUT T0, K10", "OUT T0 K10"), ("out c005 d7", "OUT C5 D7")])
 def test_an_fx_timer_or_counter_coil_has_its_preset(text: str, canonical: str) -> None:
     program = read(f"LD X0\n{text}\n", "fx")
     assert program.diagnostics == ()

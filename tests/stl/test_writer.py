@@ -28,7 +28,7 @@ def test_the_canonical_text() -> None:
         "Network 1 // 启动\nLD I0.0\nA I0.1 // a\n// above\n= Q0.0\nNetwork 2\nS Q0.1, 2\n// bye\n"
     )
     assert write(read("0 LD X000\n1 OUT Y000\n", "fx")) == "LD X0\nOUT Y0\n"
-    assert write(read("rung 0\nLD %I0.0\nST %Q0.0", "neza")) == "RUNG 1\nLD %I0.0\nST %Q0.0\n"
+    assert write(read("rung 0\nLD %I0.0\nST %Q0.0", "neza")) == "RUNG 0\nLD %I0.0\nST %Q0.0\n"
     assert write(read("", "s7-200")) == ""
 
 

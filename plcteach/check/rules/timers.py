@@ -44,19 +44,46 @@ def number_shared(program: Program, row: Rule) -> Iterator[Diagnostic]:
             yield row.at(line.span, address=timer.text, row=other.span.row, other=other.insn.word, word=line.insn.word)
 
 
+@finds("TMR003", PROGRAM_RULES)
+def resets_itself(program: Program, row: Rule) -> Iterator[Diagnostic]:
+    """A timer that is brought up to date elsewhere than at its own line switches itself off by its own bit."""
+    for network in program.networks:
+        circuit: list[Line] = []
+        for line in network.lines:
+            for _, timer, op in _drives(program, line):
+                when = program.dialect.bank(timer).when
+                if op == "on" and when != "line" and any(_breaks(one, timer) for one in circuit):
+                    yield row.at(line.span, address=timer.text, when=_MOMENTS[when])
+            circuit = [] if line.insn.then else [*circuit, line]
+
+
+_MOMENTS = {
+    "scan": Text("每个扫描周期开始时", "at the start of each scan"),
+    "always": Text("在扫描中途随时", "in the middle of a scan, at any moment"),
+}
+
+
+def _breaks(line: Line, timer: Address) -> bool:
+    """Say whether a line is a normally closed contact of a timer."""
+    return "!" in line.effect.text and any(place.text == timer.text for place in line.bits)
+
+
 def _tells_by_number(dialect: Dialect) -> bool:
     return any(verb.op == _RETENTIVE for insn in dialect.insns for verb in insn.then)
 
 
 def _driven(program: Program) -> Iterator[tuple[Line, Address, str]]:
     """Give each line that drives a timer, with the timer and the rule that the instruction names."""
-    for line in program.lines:
-        for verb in line.insn.then:
-            timer = line.bound.get(verb.target)
-            if verb.name == "drive" and isinstance(timer, Address):
-                block = program.dialect.block(timer)
-                if block and block.rule == "timer":
-                    yield line, timer, verb.op
+    return (found for line in program.lines for found in _drives(program, line))
+
+
+def _drives(program: Program, line: Line) -> Iterator[tuple[Line, Address, str]]:
+    for verb in line.insn.then:
+        timer = line.bound.get(verb.target)
+        if verb.name == "drive" and isinstance(timer, Address):
+            block = program.dialect.block(timer)
+            if block and block.rule == "timer":
+                yield line, timer, verb.op
 
 
 def _fitting(dialect: Dialect, timer: Address, *, retains: bool) -> list[str]:
