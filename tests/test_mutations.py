@@ -1,14 +1,17 @@
 """Wrong instructions are noticed: each family's table is changed in one place, and a book's figure or a small ladder tells.
 
 The expectations are the books' sentences and figures and the Boolean meaning of ladders, written here as literals; a mutant that
-passes them all would be a mistake that nobody would see. The true tables pass them all.
+passes them all would be a mistake that nobody would see. The true tables pass them all. Rows of blocks, words and jumps have
+cases of their own, in test_block_mutations.
 """
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from itertools import pairwise, product
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 import pytest
@@ -21,6 +24,9 @@ from plcteach.machine.formula import name, written
 from plcteach.machine.step import step
 from plcteach.stl import read
 
+sys.path.insert(0, str(Path(__file__).parent / "machine"))
+from wrong_rows import beyond_bits, table_with, turned
+
 if TYPE_CHECKING:
     from plcteach.core.insn import Insn
     from plcteach.core.spec import Dialect
@@ -29,7 +35,10 @@ if TYPE_CHECKING:
 
 
 class Names:
-    """A PLC in which every bit is its own name."""
+    """A PLC in which every bit is its own name; blocks and words are passed over."""
+
+    spells = True
+    rail = None
 
     def read(self, _operand: object, address):
         return name(address.text)
@@ -271,12 +280,6 @@ class Mutant:
         return table_with(family, made)
 
 
-def table_with(family: Dialect, made: Insn) -> Dialect:
-    """Give a copy of a table with one row changed; a name of its own keeps it apart from the true one."""
-    insns = tuple(made if one.mnemonic == made.mnemonic else one for one in family.insns)
-    return replace(family, name=f"{family.name} mutant", insns=insns)
-
-
 BY_HAND = [
     # a join that is another join, takes the wrong cells, gives too much or too little
     Mutant("s7-200", "OLD", "S0 S1 -- S2=S0^S1"),
@@ -396,23 +399,15 @@ def test_a_mutant_is_noticed(mutant: Mutant) -> None:
     assert not passes(mutant.table())
 
 
-def turned(text: str) -> Iterator[str]:
-    """Give every effect that differs from this one in a single sign."""
-    swaps = {"&": "|^", "|": "&^", "^": "&|"}
-    for at, sign in enumerate(text):
-        for other in swaps.get(sign, ""):
-            yield text[:at] + other + text[at + 1 :]
-        if sign == "!":
-            yield text[:at] + text[at + 1 :]
-    for one, other in (("rise(", "fall("), ("fall(", "rise(")):
-        if one in text:
-            yield text.replace(one, other, 1)
+def rows_of_bits(family: str) -> list[Insn]:
+    """Give the rows that these oracles speak of; test_block_mutations has the others."""
+    return [row for row in dialect(family).insns if not beyond_bits(row)]
 
 
 def single_signs() -> Iterator[Mutant]:
-    """Change every operator, inversion and edge of every row of every table, one at a time."""
+    """Change every operator, inversion and edge of every row of bits of every table, one at a time."""
     for family in ORACLES:
-        for row in dialect(family).insns:
+        for row in rows_of_bits(family):
             for what in ("effect", "fresh", "bare", "close"):
                 effect = getattr(row, what)
                 for changed in turned(effect.text) if effect else ():
@@ -437,7 +432,7 @@ def test_there_are_many() -> None:
 def test_every_instruction_that_does_nothing_at_all_is_noticed(family: str) -> None:
     """An instruction without any effect and without a verb passes as itself only where it is a NOP."""
     true = dialect(family)
-    for row in true.insns:
+    for row in rows_of_bits(family):
         if row.mnemonic == ")":
             continue
         made = replace(row, effect=parse_effect("--"), fresh=None, bare=None, close=None, then=())

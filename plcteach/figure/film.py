@@ -17,9 +17,9 @@ from plcteach.core.text import Text, joined
 from plcteach.figure.cast import cast
 from plcteach.figure.face import face_changes
 from plcteach.figure.faces import Blocks
+from plcteach.figure.opening import inputs_of, opens
 from plcteach.figure.says import says
 from plcteach.machine.formula import Term, spelled, written
-from plcteach.machine.signals import ZERO
 from plcteach.machine.walk import Move, walks
 
 if TYPE_CHECKING:
@@ -132,8 +132,8 @@ class _Maker:
                 "scan": scan.number,
                 "cells": self.cells(first, None, None),
                 "leave": dict.fromkeys(gone, "top"),
-                "read": [[address, value] for address, value in self.inputs(scan)],
-                "say": self.opening(scan).as_dict(),
+                "read": [[address, value] for address, value in inputs_of(scan)],
+                "say": opens(scan).as_dict(),
             }
         )
         heads = {
@@ -162,17 +162,6 @@ class _Maker:
     @property
     def dialect(self) -> Dialect:
         return self.program.dialect
-
-    def inputs(self, scan: Scan[Column]) -> list[tuple[str, str]]:
-        """Give every input of the program as the scan's input image holds it."""
-        return [(one.text, repr(scan.inputs.get(one.text, ZERO))) for one in self.program.addresses("input")]
-
-    def opening(self, scan: Scan[Column]) -> Text:
-        inputs = [f"{address} = {value}" for address, value in self.inputs(scan)]
-        if not inputs:
-            return Text("扫描开始，还没有执行任何指令。", "The scan begins; no instruction has run yet.")
-        zh, en = "、".join(inputs), ", ".join(inputs)
-        return Text(f"扫描开始：输入映像读到{zh}。", f"The scan begins: the input image holds {en}.")
 
     def new(self, *, blank: bool = False) -> str:
         self.made += 1
