@@ -219,7 +219,7 @@ NEZA = Dialect(
         Block("%SBR", "bits", Text("移位寄存器", "shift register"), ("R", "CU", "CD")),
         Block("%SC", "steps", Text("步进计数器", "step counter"), ("R", "CU", "CD")),
         Block(
-            "%R", "queue", Text("FIFO/LIFO寄存器", "FIFO/LIFO register"), ("R", "I", "O"), ("E", "F"),
+            "%R", "queue", Text("字寄存器", "word register"), ("R", "I", "O"), ("E", "F"),
             settings={"TYPE": Setting("FIFO", {"FIFO": "first", "LIFO": "last"})},
         ),
     ),

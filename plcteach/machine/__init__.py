@@ -1,4 +1,4 @@
-"""Program to trace: one pure `step` over any signal, run scan by scan with process images and edges."""
+"""Program to trace: one pure `step` over any signal, run scan by scan in virtual time, with words, timers, counters and blocks."""
 
 from plcteach.machine.scan import Domain, Memory, Scan, Trace, run, sweep
 from plcteach.machine.signals import ONE, ZERO, Column, Signal, X

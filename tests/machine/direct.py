@@ -86,8 +86,8 @@ class Program:
 # How a list spells it.
 
 PLACES = {
-    "s7-200": {"i": "I0.", "q": "Q0.", "m": "M0.", "r": "V50.", "t": "T", "c": "C", "x": "M10.", "f": "SM1."},
-    "gutta": {"i": "I0.", "q": "Q0.", "m": "M0.", "t": "T", "c": "C", "x": "M10.", "f": "SM1."},
+    "s7-200": {"i": "I0.", "q": "Q0.", "m": "M0.", "r": "V50.", "t": "T", "c": "C", "f": "SM1."},
+    "gutta": {"i": "I0.", "q": "Q0.", "m": "M0.", "t": "T", "c": "C", "f": "SM1."},
     "fx": {"i": "X", "q": "Y", "m": "M", "r": "M10", "t": "T", "c": "C", "w": "D", "p": "D10", "d": "M8", "f": "M802"},
     "neza": {"i": "%I0.", "q": "%Q0.", "m": "%M", "r": "%SBR0.", "s": "%SC0.", "w": "%MW", "p": "%MW1", "c": "%C", "t": "%TM"},
 }  # fmt: skip
@@ -109,11 +109,19 @@ def spelled(family: str, name: str | int, *, word: bool = False) -> str:
         return SINGLE[family][name]
     letter, number = name[0], name[1:]
     if letter in "wp" and family in WORDS:
-        return f"{WORDS[family]}{20 + 2 * int(number) + 40 * (letter == 'p')}"
+        return f"{WORDS[family]}{20 + 2 * int(number) + 6 * (letter == 'p')}"
+    if letter == "x":
+        return f"M{int(number) // 8 + 1}.{int(number) % 8}"
     address = PLACES[family][letter] + number
     if family == "neza" and letter in "tc" and "." not in number:
         return f"{address}.{'V' if word else 'Q' if letter == 't' else 'D'}"
     return address
+
+
+def kept(family: str, name: str, *, word: bool = False) -> str:
+    """Give the address under which a trace keeps a name: of a timer or counter its bit, or its current value."""
+    values = word and name[0] in "tc" and family != "neza"
+    return f"{spelled(family, name, word=word)}{'.V' if values else ''}"
 
 
 def block(family: str, name: str) -> str:
@@ -188,7 +196,8 @@ class Siemens:
         if sink.rule == "move":
             return f"MOVW {values[0]}, {word}"
         if sink.rule in {"next", "last"}:
-            return f"{'INCW' if sink.rule == 'next' else 'DECW'} {word}"
+            counts = ("INCW", "DECW") if self.family == "s7-200" else ("+I 1,", "-I 1,")
+            return f"{counts[sink.rule == 'last']} {word}"
         return f"{'+I' if sink.rule == 'add' else '-I'} {values[1]}, {word}"
 
 
@@ -504,7 +513,7 @@ class Direct:
         return min(clock.ms // clock.base, self.ways.most)
 
     def advance(self, clock: Clock) -> None:
-        """Let a running timer's time pass."""
+        """Let a running timer's time pass, also in the scan that finds its input off: it was on since the last one [rec]."""
         if not clock.going:
             return
         clock.ms += self.dt
@@ -521,13 +530,12 @@ class Direct:
         goal = self.word(f"{name}.P" if self.program.family == "neza" else sink.sources[0]) * clock.base
         if self.program.family != "neza" or not clock.going:
             clock.goal = goal
-        line = clock.base not in self.ways.at_scan_start
+        if clock.base not in self.ways.at_scan_start:
+            self.advance(clock)
         if clock.rule == "off":
-            self.off_delay(clock, power, line)
+            self.off_delay(clock, power)
         elif clock.rule == "pulse":
             self.pulse(clock, power)
-        elif power and clock.going and line:
-            self.advance(clock)
         elif power and not clock.going:
             self.start(clock)
             clock.bit = clock.ms >= clock.goal
@@ -542,14 +550,12 @@ class Direct:
         """Begin; the scan that starts a timer adds nothing."""
         clock.going = True
 
-    def off_delay(self, clock: Clock, power: bool, line: bool) -> None:  # noqa: FBT001
+    def off_delay(self, clock: Clock, power: bool) -> None:  # noqa: FBT001
         if power:
             clock.bit, clock.ms, clock.going, clock.armed = True, 0, False, True
         elif clock.armed:
             clock.armed = False
             self.start(clock)
-        elif line:
-            self.advance(clock)
 
     def pulse(self, clock: Clock, power: bool) -> None:  # noqa: FBT001
         if power and not clock.was and not clock.going:
@@ -930,6 +936,3 @@ def watched(program: Program) -> list[tuple[str, bool]]:
     bits |= {"f0", "f1", "f2"} if program.family != "neza" else set()
     words |= {"p1"} if program.family in {"s7-200", "gutta"} else set()
     return [(name, False) for name in sorted(bits)] + [(name, True) for name in sorted(words)]
-
-
-__all__ = ["Direct", "Program", "Rung", "Sink", "random_program", "random_scans", "render", "spelled", "watched"]
