@@ -8,11 +8,12 @@ condition, or nothing done at all. Only the cases that use the row are run, so n
 from __future__ import annotations
 
 import operator
-import re
 import struct
+import sys
 from dataclasses import dataclass, replace
 from functools import cache
 from itertools import permutations
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import pytest
@@ -25,6 +26,9 @@ from plcteach.machine.sums import RULES
 from plcteach.machine.timers import DRIVES
 from plcteach.stl import read
 
+sys.path.insert(0, str(Path(__file__).parent / "machine"))
+from wrong_rows import beyond_bits, table_with, turned
+
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
@@ -35,7 +39,7 @@ if TYPE_CHECKING:
 FAMILIES = ("s7-200", "fx", "neza", "gutta")
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Case:
     """A program, what is given in each scan, and what each address must hold at the end of each scan."""
 
@@ -150,7 +154,7 @@ BY_HAND = (
         for p, wanted in (("", "M0=0100001 M1=0011100 M2=0000010"), ("P", "M0=0111111 M1=0000000 M2=0000000"))
     ),
     # where the program goes on
-    case("s7-200", "LD I0.0; JMP 1; LD I0.1; = Q0.0; LBL 1; LD I0.1; = Q0.1", "I0.0=0110 I0.1=1001", "Q0.0=1111 Q0.1=1001"[:9] + " Q0.1=1001"),
+    case("s7-200", "LD I0.0; JMP 1; LD I0.1; = Q0.0; LBL 1; LD I0.1; = Q0.1", "I0.0=0110 I0.1=1010", "Q0.0=1110 Q0.1=1010"),
     case("s7-200", "LD I0.0; FOR VW0, 1, 5; LD SM0.0; INCW VW2; NEXT", "I0.0=0110", "VW2=0,5,10,10"),
     case("s7-200", "LD I0.0; CALL SBR0\nSUBROUTINE_BLOCK SBR_0:SBR0\nLD I0.1; CRET; LD SM0.0; = Q0.1; RET; = Q0.2\nEND_SUBROUTINE_BLOCK", "I0.0=0011 I0.1=0110", "Q0.1=0001 Q0.2=0000"),
     case("s7-200", "LD I0.0; END; LD I0.1; = Q0.0", "I0.0=0110 I0.1=1100", "Q0.0=1110"),
@@ -167,8 +171,323 @@ BY_HAND = (
         "fx", "LD M8002; SET S0; STL S0; LD X0; SET S20; STL S20; LD M8000; OUT Y0; RET; LD X1; OUT Y1",
         "X0=010 X1=101", "S0=110 S20=011 Y0=011 Y1=101",
     ),
-    case("neza", "LD %I0.0; JMPC %L1; LD %I0.1; ST %Q0.0; %L1:; LD %I0.1; ST %Q0.1", "%I0.0=0110 %I0.1=1001", "%Q0.0=1111 %Q0.1=1001"),
+    case("fx", "LD X0; OUT Y0; END; LD X0; OUT Y1", "X0=01", "Y0=01 Y1=00"),
+    case("neza", "LD %I0.0; JMPC %L1; LD %I0.1; ST %Q0.0; %L1:; LD %I0.1; ST %Q0.1", "%I0.0=0110 %I0.1=1010", "%Q0.0=1110 %Q0.1=1010"),
     case("neza", "LD %I0.0; JMPCN %L1; LD %I0.1; ST %Q0.0; JMP %L2; %L1:; LD %I0.1; ST %Q0.1; %L2:; LD %I0.1; ST %Q0.2", "%I0.0=1001 %I0.1=1010", "%Q0.0=1110 %Q0.1=0010 %Q0.2=1010"),
     case("neza", "LD %I0.0; SR1; END; SR1:; LD %I0.1; ST %Q0.0; RET; LD 1; ST %Q0.1", "%I0.0=0110 %I0.1=1110", "%Q0.0=0110 %Q0.1=0000"),
     case("neza", "LD %I0.0; ENDC; LD %I0.1; ENDCN; LD %I0.2; ST %Q0.0; END; LD 1; ST %Q0.1", "%I0.0=0101 %I0.1=1101 %I0.2=1010", "%Q0.0=1110 %Q0.1=0000"),
 )  # fmt: skip
+
+
+# Comparisons, worked out by Python; each relation meets less, equal and more, and words that only a sign tells apart.
+
+RELATIONS = {
+    "=": operator.eq,
+    "<>": operator.ne,
+    ">=": operator.ge,
+    "<=": operator.le,
+    ">": operator.gt,
+    "<": operator.lt,
+}
+PAIRS = {
+    "B": ((5, 7), (7, 7), (200, 7), (7, 200)),
+    "W": ((5, 7), (7, 7), (9, 7), (-5, 7), (7, -5)),
+    "D": ((5, 100_000), (100_000, 100_000), (100_000, 5), (-100_000, 5), (5, -100_000)),
+    "R": ((0.5, 1.5), (1.5, 1.5), (1.5, 0.5), (-1.5, -0.5), (-0.5, -1.5)),
+}
+JOINED = {"LD": lambda _, found: found, "A": lambda a, found: a and found, "O": lambda a, found: a or found}
+JOINED |= {"AND": JOINED["A"], "OR": JOINED["O"]}
+
+
+def bits_of(number: float) -> int:
+    return int(struct.unpack(">i", struct.pack(">f", number))[0])
+
+
+def halves(register: str, number: int, size: int) -> dict[str, int]:
+    """Give what one register, or two of 16 bits, hold for a number."""
+    if size == 16:
+        return {register: number}
+    low, high = number & 0xFFFF, number >> 16
+    return {register: low - (low >> 15 << 16), f"D{int(register[1:]) + 1}": high}
+
+
+def comparisons() -> Iterator[Case]:
+    """Give a case for every comparing contact of every family."""
+    for family, area, letters in (("s7-200", "V", "BWDR"), ("gutta", "M", "BWD")):
+        for prefix, letter, relation in ((a, b, c) for a in ("LD", "A", "O") for b in letters for c in RELATIONS):
+            one, other = (f"{area}{'D' if letter == 'R' else letter}{place}" for place in (0, 8))
+            head = "" if prefix == "LD" else "LD I0.0; "
+            yield compared(
+                family,
+                f"{head}{prefix}{letter}{relation} {one}, {other}; = Q0.0",
+                (prefix, letter, relation),
+                ("I0.0", one, other, "Q0.0"),
+            )
+    for prefix, d, relation in ((a, b, c) for a in ("LD", "AND", "OR") for b in ("", "D") for c in RELATIONS):
+        head = "" if prefix == "LD" else "LD X0; "
+        yield compared(
+            "fx", f"{head}{prefix}{d}{relation} D0 D4; OUT Y0", (prefix, d or "W", relation), ("X0", "D0", "D4", "Y0")
+        )
+
+
+def compared(family: str, text: str, which: tuple[str, str, str], places: tuple[str, str, str, str]) -> Case:
+    prefix, letter, relation = which
+    given, one, other, output = places
+    rows, wanted = [], []
+    for a, b in PAIRS[letter]:
+        for bit in (0, 1):
+            numbers = [bits_of(number) if letter == "R" else number for number in (a, b)]
+            if family == "fx":
+                words = halves(one, numbers[0], 32 if letter == "D" else 16) | halves(
+                    other, numbers[1], 32 if letter == "D" else 16
+                )
+            else:
+                words = dict(zip((one, other), numbers, strict=True))
+            rows.append({given: bit} | words)
+            wanted.append(int(JOINED[prefix](bit, RELATIONS[relation](a, b))))
+    return Case(family, text, tuple(rows), ((output, tuple(wanted)),))
+
+
+# Words worked out from words: nothing without power, then the result.
+
+
+def siemens(
+    family: str, area: str, mnemonic: str, letters: str, before: tuple[int, ...], after: int, more: str = ""
+) -> Case:
+    """Give the case of an instruction on IN and OUT (or on OUT alone), which are words of these widths, and SM1.1."""
+    places = [f"{area}{letter}{12 * at}" for at, letter in enumerate(letters)]
+    text = f"LD I0.0; {mnemonic} {', '.join([*places, more] if more else places)}"
+    given = dict(zip(places, before, strict=True))
+    return Case(family, text, ({"I0.0": 0, "SM1.1": 1, **given}, {"I0.0": 1}), ((places[-1], (before[-1], after)),))
+
+
+SUMS = {"+": (107, 3.5), "-": (93, 2.5), "*": (700, 1.5), "/": (14, 6.0)}
+BITS = {"AND": 8, "OR": 14, "XOR": 6}
+BELOW = {"B": 8, "W": 16, "D": 32}
+
+
+def rolled(word: str, value: int, count: int, size: int) -> int:
+    """Shift or turn a string of bits."""
+    text = f"{value:0{size}b}"
+    moved = {
+        "SL": text[count:] + "0" * count, "SR": "0" * count + text[:-count], "RL": text[count:] + text[:count], "RR": text[-count:] + text[:-count],
+    }[word]  # fmt: skip
+    return int(moved, 2)
+
+
+def read_as(value: int, letter: str) -> int:
+    """Read bits as a byte, which has no sign, or as a word, which has one."""
+    size = BELOW[letter]
+    return value - (value >> (size - 1) << size) if letter != "B" else value
+
+
+def words_of_siemens() -> Iterator[Case]:
+    for family, area, letters in (("s7-200", "V", "WD"), ("gutta", "M", "W")):
+        for letter in letters:
+            for sign, (whole, _) in SUMS.items():
+                yield siemens(family, area, f"{sign}{'I' if letter == 'W' else letter}", letter * 2, (7, 100), whole)
+        for letter in "BWD":
+            yield siemens(family, area, f"MOV{letter}", letter * 2, (7, 100), 7)
+    one = ("s7-200", "V")
+    for sign, (_, real) in SUMS.items():
+        yield siemens(*one, f"{sign}R", "DD", (bits_of(0.5), bits_of(3.0)), bits_of(real))
+    yield siemens(*one, "MOVR", "DD", (bits_of(0.5), bits_of(3.0)), bits_of(0.5))
+    yield siemens(*one, "MUL", "WD", (300, (5 << 16) + 400), 120_000)
+    yield siemens(*one, "DIV", "WD", (7, (5 << 16) + 100), (2 << 16) + 14)
+    yield siemens(*one, "SQRT", "DD", (bits_of(9.0), 0), bits_of(3.0))
+    for letter, size in BELOW.items():
+        yield siemens(*one, f"INC{letter}", letter, (7,), 8)
+        yield siemens(*one, f"DEC{letter}", letter, (7,), 6)
+        yield siemens(*one, f"INV{letter}", letter, (7,), 248 if letter == "B" else -8)
+        for word, result in BITS.items():
+            yield siemens(*one, f"{word}{letter}", letter * 2, (10, 12), result)
+        for word in ("SL", "SR", "RL", "RR"):
+            value = 0b0101_0110 << size - 8 | 0b1001
+            yield siemens(*one, f"{word}{letter}", letter, (value,), read_as(rolled(word, value, 2, size), letter), "2")
+    yield siemens(*one, "BTI", "BW", (200, 0), 200)
+    yield siemens(*one, "ITB", "WB", (200, 1), 200)
+    yield siemens(*one, "ITB", "WB", (300, 1), 1)
+    yield siemens(*one, "ITD", "WD", (-5, 0), -5)
+    yield siemens(*one, "DTI", "DW", (-5, 0), -5)
+    yield siemens(*one, "DTI", "DW", (70_000, 1), 1)
+    yield siemens(*one, "DTR", "DD", (3, 0), bits_of(3.0))
+    yield siemens(*one, "ROUND", "DD", (bits_of(2.7), 0), 3)
+    yield siemens(*one, "TRUNC", "DD", (bits_of(2.7), 0), 2)
+
+
+def moves_of_siemens() -> Iterator[Case]:
+    """A move and a widening leave the flags alone; a narrowing says whether there was room."""
+    for family, area in (("s7-200", "V"), ("gutta", "M")):
+        for mnemonic, one, other in (
+            ("MOVB", "B", "B"),
+            ("MOVW", "W", "W"),
+            ("MOVD", "D", "D"),
+            ("MOVR", "D", "D"),
+            ("BTI", "B", "W"),
+            ("ITD", "W", "D"),
+        ):
+            if family == "s7-200" or mnemonic in {"MOVB", "MOVW", "MOVD"}:
+                yield case(family, f"LD I0.0; {mnemonic} {area}{one}0, {area}{other}8", "I0.0=01 SM1.1=1,", "SM1.1=11")
+
+
+MITSUBISHI = {
+    "MOV": (("D0",), lambda a, _: (a, 0)),
+    "ADD": (("D0", "D4"), lambda a, b: (a + b, 0)),
+    "SUB": (("D0", "D4"), lambda a, b: (a - b, 0)),
+    "MUL": (("D0", "D4"), lambda a, b: (a * b, 0)),
+    "DIV": (("D0", "D4"), divmod),
+}
+"""What stands before the target, and what comes into it from 100 (100,000) or twice that, and 7."""
+
+
+def words_of_mitsubishi() -> Iterator[Case]:
+    for word, (places, meaning) in MITSUBISHI.items():
+        for d in ("", "D") if word in {"MOV", "ADD", "SUB"} else ("",):
+            for p in ("", "P"):
+                size, first = (32, 100_000) if d else (16, 100)
+                results = [meaning(first, 7), meaning(first if p else 2 * first, 7)]
+                rows = (
+                    {"X0": 0, **halves("D0", first, size), **halves("D4", 7, size)},
+                    {"X0": 1},
+                    {"X0": 1, **halves("D0", 2 * first, size)},
+                )
+                low = [halves("D8", result, 32)["D8"] for result, _ in results]
+                high = [
+                    rest if word == "DIV" else result >> 16 if d or word == "MUL" else 0 for result, rest in results
+                ]
+                yield Case(
+                    "fx", f"LD X0; {d}{word}{p} {' '.join(places)} D8", rows, (("D8", (0, *low)), ("D9", (0, *high)))
+                )
+    for word, step in (("INC", 1), ("DEC", -1)):
+        for d in ("", "D"):
+            for p in ("", "P"):
+                low = halves("D0", step, 32)["D0"]
+                twice = step if p else 2 * step
+                yield Case(
+                    "fx",
+                    f"LD X0; {d}{word}{p} D0",
+                    ({"X0": 0}, {"X0": 1}, {"X0": 1}),
+                    (
+                        ("D0", (0, low, halves("D0", twice, 32)["D0"])),
+                        ("D1", (0, step >> 16, twice >> 16) if d else (0, 0, 0)),
+                    ),
+                )
+
+
+CASES = (*BY_HAND, *comparisons(), *words_of_siemens(), *moves_of_siemens(), *words_of_mitsubishi())
+
+
+@cache
+def uses(one: Case) -> frozenset[str]:
+    """Give the rows that a program uses."""
+    return frozenset(line.insn.mnemonic for line in read(one.text, one.family).lines)
+
+
+@pytest.mark.parametrize("one", CASES, ids=str)
+def test_the_true_table_gives_what_is_wanted(one: Case) -> None:
+    assert not [found for found in read(one.text, one.family).diagnostics if found.severity == "error"]
+    trace = run(read(one.text, one.family), one.rows, scan_ms=one.ms)
+    assert {address: shown(trace, address) for address, _ in one.wanted} == dict(one.wanted)
+
+
+# The wrong rows.
+
+
+def wrong_conditions(verb: Verb) -> Iterator[Verb]:
+    """Act where there is no power; without the edge; at the other edge."""
+    if verb.formula:
+        yield replace(verb, formula=Not(verb.formula))
+    if verb.formula == parse_formula("rise(a)"):
+        yield replace(verb, formula=parse_formula("a"))
+        yield replace(verb, formula=parse_formula("fall(a)"))
+
+
+def wrong_pins(verb: Verb) -> Iterator[Verb]:
+    """Turn each pin round; exchange them."""
+    for at, (name, formula) in enumerate(verb.pins):
+        yield replace(verb, pins=(*verb.pins[:at], (name, Not(formula)), *verb.pins[at + 1 :]))
+    formulas = [formula for _, formula in verb.pins]
+    for order in permutations(formulas):
+        if list(order) != formulas:
+            yield replace(
+                verb, pins=tuple((name, formula) for (name, _), formula in zip(verb.pins, order, strict=True))
+            )
+
+
+COUNTERS = ("up", "down", "updown", "upto")
+COMMUTE = {"add", "mul", "and", "or", "xor", "radd", "rmul", "sum", "product"}
+THE_SAME = {("/I", "divmod"), ("*I", "mul16")}
+"""Rules that give the same in so narrow a word."""
+
+
+def wrong_rules(family: Dialect, row: Insn, verb: Verb) -> Iterator[str]:
+    """Give the rules that the verb might have been given instead, among those that the family has."""
+    match verb.name:
+        case "drive" if verb.op in DRIVES:
+            yield from {*DRIVES} - {verb.op} - ({"on"} if verb.op == "retentive" else set())  # its number makes it so
+        case "drive":
+            yield from {*COUNTERS} - {verb.op}
+        case "pin":
+            area = next(iter(family.kinds[row.operands[0].kind].areas))
+            yield from {*next(block.pins for block in family.blocks if block.area == area)} - {verb.op}
+        case "shift":
+            yield from {other.op for one in family.insns for other in one.then if other.name == "shift"} - {verb.op}
+        case "work" if verb.op in RULES:
+            alike = {other.op for one in family.insns for other in one.then if len(other.sources) == len(verb.sources)}
+            for op in sorted(alike & set(RULES) - {verb.op}):
+                shifts = op.rstrip("0123456789") == verb.op.rstrip("0123456789") and verb.op[:2] in {"sh", "ro"}
+                if not shifts and (row.mnemonic, op) not in THE_SAME:
+                    yield op
+
+
+def wrong_verbs(family: Dialect, row: Insn, verb: Verb) -> Iterator[Verb | None]:
+    """Do nothing; under another condition; by another rule; with other pins, or with the sources exchanged."""
+    yield None
+    yield from wrong_conditions(verb)
+    yield from wrong_pins(verb)
+    yield from (replace(verb, op=op) for op in wrong_rules(family, row, verb))
+    if len(verb.sources) > 1 and verb.op not in COMMUTE:
+        yield from (replace(verb, sources=order) for order in permutations(verb.sources) if order != verb.sources)
+
+
+def wrong_rows(family: Dialect, row: Insn) -> Iterator[tuple[str, Insn]]:
+    """Give a row in all the ways in which it could be wrong, each with its name."""
+    for at, verb in enumerate(row.then):
+        for other in wrong_verbs(family, row, verb):
+            then = (*row.then[:at], *((other,) if other else ()), *row.then[at + 1 :])
+            yield f"{verb.name} -> {other}", replace(row, then=then)
+    for at, operand in enumerate(row.operands):
+        for relation in RELATIONS if operand.relation else ():
+            if relation != operand.relation:
+                wrong = replace(operand, relation=relation)
+                yield (
+                    f"relation {relation}",
+                    replace(row, operands=(*row.operands[:at], wrong, *row.operands[at + 1 :])),
+                )
+    for what in ("effect", "fresh"):
+        effect = getattr(row, what)
+        for changed in turned(effect.text) if effect else ():
+            yield f"{what} {changed}", replace(row, **{what: parse_effect(changed)})
+
+
+ROWS = [(family, row.mnemonic) for family in FAMILIES for row in dialect(family).insns if beyond_bits(row)]
+
+
+@pytest.mark.parametrize(("family", "mnemonic"), ROWS)
+def test_every_wrong_row_is_noticed(family: str, mnemonic: str) -> None:
+    true = dialect(family)
+    mine = [one for one in CASES if one.family == family and mnemonic in uses(one)]
+    assert mine, "no case uses this row"
+    unseen = [
+        name
+        for name, row in wrong_rows(true, true.words[mnemonic])
+        if all(one.holds(table_with(true, row)) for one in mine)
+    ]
+    assert unseen == []
+
+
+def test_there_are_many() -> None:
+    assert (
+        sum(1 for family, mnemonic in ROWS for _ in wrong_rows(dialect(family), dialect(family).words[mnemonic]))
+        > 2_000
+    )

@@ -81,17 +81,21 @@ def example(dialect: Dialect, words: str, number: int | None = None) -> Line:
     if operands:
         kind = f"operand of {row.mnemonic}"
         raise UnknownNameError(kind, " ".join(operands), ())
-    if _words_of(dialect, row) and number is None:
+    if beyond_bits(dialect, row) and number is None:
         return _shown(dialect, row)
     args = tuple(_usual(dialect, row, operand, number) for operand in row.operands)
     numbers = {operand.name: arg for operand, arg in zip(row.operands, args, strict=True) if isinstance(arg, int)}
     return Line(row, args, row.effect.bind(numbers))
 
 
-def _words_of(dialect: Dialect, row: Insn) -> bool:
-    """Say whether an instruction works on more than bits and counts."""
+_BITS = {"coil", "set", "reset"}
+
+
+def beyond_bits(dialect: Dialect, row: Insn) -> bool:
+    """Say whether an instruction works on more than bits and counts, so that only a line of its own shows what it does."""
     kinds = [dialect.kinds[one.kind] for one in row.operands if one.kind]
-    return any(one.size != 1 for one in kinds) or any(one.mark or one.first < 0 for one in row.operands)
+    words = any(one.size != 1 for one in kinds) or any(one.mark or one.first < 0 for one in row.operands)
+    return words or any(verb.name not in _BITS or verb.sources for verb in row.then)
 
 
 def _shown(dialect: Dialect, row: Insn) -> Line:

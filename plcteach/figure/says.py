@@ -6,9 +6,10 @@ from functools import partial
 from typing import TYPE_CHECKING
 
 from plcteach.core.effect import Both, Edge, Name, flow, names
+from plcteach.core.program import Compare
 from plcteach.core.text import NOTHING, Text, joined
 from plcteach.figure.does import does
-from plcteach.figure.illustration import example, takes_of
+from plcteach.figure.illustration import beyond_bits, example, takes_of
 from plcteach.figure.told import Told, edge_seen, operand_name, operand_said, plain, side, stack_name, with_value
 from plcteach.figure.writes import writes
 
@@ -38,8 +39,9 @@ def describes(dialect: Dialect, insn: Insn) -> Text:
         stack.depth if stack.fixed or "[" in line.effect.text else len(takes_of(line.effect, stack.name)) + _SPARE
         for stack in dialect.stacks
     )
-    told = Told(dialect, line, flow(line.effect, dialect.shapes, heights))
-    head = line.text if "[" in line.effect.text else insn.mnemonic
+    named = beyond_bits(dialect, insn)
+    told = Told(dialect, line, flow(line.effect, dialect.shapes, heights), named=named)
+    head = line.text if named or "[" in line.effect.text else insn.mnemonic
     return _sentence(head, [*_parts(told), *_otherwise(told)])
 
 
@@ -64,6 +66,7 @@ def _otherwise(told: Told) -> Iterator[Text]:
 
 def _sentence(head: str, parts: Iterator[Text] | list[Text]) -> Text:
     """Put sentences, each without its full stop, behind the instruction they are about."""
+    head = head.rstrip(":")
     kept = [part for part in parts if part.zh]
     zh = "".join(f"{part.zh}。" for part in kept)
     en = ". ".join(
@@ -116,12 +119,15 @@ def _unchanged(told: Told) -> Iterator[Text]:
     verbs = [one for one in map(partial(_beside, told), told.line.insn.then) if one.zh]
     alone = Text("累加器不变", "the accumulator keeps its value")
     stays = Text("堆栈不变", "the stack stays as it is") if told.main.depth > 1 else alone
+    if any(verb.name == "call" for verb in told.line.insn.then):
+        stays = NOTHING
     if not verbs:
         yield Text("空操作，什么也不改变", "no operation, and nothing changes")
         return
     yield from verbs[:-1]
     taken = any(clause.takes for clause in told.line.effect.clauses)
-    yield Text("{does}；{stays}", "{does}; {stays}").format(does=verbs[-1], stays=stays) if taken else verbs[-1]
+    whole = Text("{does}；{stays}", "{does}; {stays}").format(does=verbs[-1], stays=stays)
+    yield whole if taken and stays.zh else verbs[-1]
 
 
 def _beside(told: Told, verb: Verb) -> Text:
@@ -196,8 +202,10 @@ def _loaded(told: Told, formula: Formula) -> Iterator[Text]:
         else Text("压入栈顶", "is pushed onto the top")
     )
     said = operand_said(told, formula)
-    what = operand_name(formula) if said is None else NOTHING
-    if said is not None and isinstance(formula, Name):
+    what = operand_name(told, formula) if said is None else NOTHING
+    if said is not None and any(isinstance(arg, Compare) for arg in told.line.args):
+        to = Text(f"{said.zh}，{told.value}{to.zh}", f"{said.en}, so {told.value} {to.en}")
+    elif said is not None and isinstance(formula, Name):
         to = Text(f"{said.zh}，{to.zh}", f"{said.en}. It {to.en}")
     elif said is not None:
         link = ", so" if isinstance(formula, Edge) else ", and"

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from plcteach.core.effect import Both, Edge, Flow, Name, Not, names
-from plcteach.core.text import Text, same
+from plcteach.core.program import Compare, Value
+from plcteach.core.text import NOTHING, Text, joined, same
+from plcteach.machine.sums import real
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -20,13 +22,17 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class Told:
-    """What there is to tell: an instruction's flow and, where it has run, its values; `first`: in the first scan."""
+    """What there is to tell: an instruction's flow and, where it has run, its values; `first`: in the first scan.
+
+    named: without values the operands are told by the names that the line has, and not as "the operand".
+    """
 
     dialect: Dialect
     line: Line
     flow: Flow
     step: Step[Column] | None = None
     first: bool = False
+    named: bool = False
 
     @property
     def main(self) -> Stack:
@@ -77,6 +83,8 @@ class Told:
     def address(self, name: str) -> str:
         """Spell an operand as the line has it."""
         arg = self.line.bound.get(name, "")
+        if isinstance(arg, Compare):
+            return comparison(arg)
         return str(arg) if isinstance(arg, int | str) else arg.text
 
 
@@ -107,7 +115,7 @@ def side(told: Told, formula: Formula, op: str) -> Text:
         return with_value(Text(f"{words.zh}的反", f"the inverse of {words.en}"), inverse(told.was(place)))
     if name and name not in told.line.bound:
         return same("x")
-    return _operand_side(told, formula, op) if told.step else operand_name(formula)
+    return _operand_side(told, formula, op) if told.step else operand_name(told, formula)
 
 
 def _operand_side(told: Told, formula: Formula, op: str) -> Text:
@@ -119,7 +127,7 @@ def _operand_side(told: Told, formula: Formula, op: str) -> Text:
             return same(inverse(told.bit))
         case Name(name):
             return with_value(same(told.address(name)), told.bit)
-    return operand_name(formula)
+    return operand_name(told, formula)
 
 
 def edge_value(told: Told, op: str, *, rising: bool) -> str:
@@ -146,8 +154,15 @@ def edge_seen(told: Told, what: Text, value: str, *, rising: bool) -> Text:
     )
 
 
-def operand_name(formula: Formula) -> Text:
+def operand_name(told: Told, formula: Formula) -> Text:
     """Name what an operand gives where there are no values."""
+    for name in names(formula):
+        arg = told.line.bound.get(name)
+        if isinstance(arg, Compare):
+            said = Text("{it}的比较结果（成立为1，不成立为0）", "the comparison {it} (1 where it holds, 0 where not)")
+            return said.format(it=comparison(arg))
+        if arg is not None and told.named and isinstance(formula, Name):
+            return same(told.address(name))
     match formula:
         case Edge(rising, _):
             return Text(
@@ -159,11 +174,44 @@ def operand_name(formula: Formula) -> Text:
     return Text("操作数的位", "the operand's bit")
 
 
+_SIGNS = {">=": "≥", "<=": "≤", "<>": "≠"}
+
+
+def comparison(compare: Compare) -> str:
+    """Write a comparison as it is read aloud: VW0 ≥ 10."""
+    return f"{compare.left.text} {_SIGNS.get(compare.relation, compare.relation)} {compare.right.text}"
+
+
+def _compared(told: Told, compare: Compare, value: str) -> Text:
+    """Say whether a comparison holds, with the words that were compared where the step has read them."""
+    as_real = told.dialect.kinds[compare.kind].real
+    words = {place: word for place, word in told.step.read if not isinstance(place, Compare)} if told.step else {}
+    seen = []
+    for place in (compare.left, compare.right):
+        word: Any = None if isinstance(place, Value) else words.get(place)
+        if word is not None:
+            number = word.value
+            said = "x" if number is None else f"{real(number):.7g}" if as_real else str(number)
+            seen.append(Text(f"{place.text}为{said}", f"{place.text} is {said}"))
+    holds = {"1": Text("成立", "is true"), "0": Text("不成立", "is false")}
+    what = holds.get(value, Text("是否成立无法知道", "may be true or false"))
+    brackets = with_text(joined(seen, "，", ", "))
+    return Text("{it}{what}{seen}", "{it} {what}{seen}").format(it=comparison(compare), what=what, seen=brackets)
+
+
+def with_text(words: Text) -> Text:
+    """Put words in brackets, if there are any."""
+    return Text(f"（{words.zh}）", f" ({words.en})") if words.zh else NOTHING
+
+
 def operand_said(told: Told, formula: Formula) -> Text | None:
     """Say what the bit of the operand is, inverted or with its edge where the formula wants it so; None without values."""
     if not told.step or not told.step.read:
         return None
-    address, op = told.step.read[0][0].text, formula.op if isinstance(formula, Both) else ""
+    place, op = told.step.read[0][0], formula.op if isinstance(formula, Both) else ""
+    if isinstance(place, Compare):
+        return _compared(told, place, told.bit)
+    address = place.text
     for part in _parts(formula):
         if isinstance(part, Edge):
             known = edge_value(told, op, rising=part.rising)

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from plcteach.core.area import Address
 from plcteach.core.effect import Edge, Not
 from plcteach.core.text import NOTHING, Text, same
 from plcteach.figure.told import edge_seen, with_value
+from plcteach.figure.when import when
 
 if TYPE_CHECKING:
     from plcteach.core.verb import Verb
@@ -15,11 +17,7 @@ if TYPE_CHECKING:
 
 def writes(told: Told, verb: Verb) -> Text:
     """Say what is written where, and whether it changes anything."""
-    target = told.address(verb.target) if told.step else ""
-    count = told.line.bound.get(verb.count, 1)
-    bits, be = Text(target or "操作数指定的位", target or "the operand's bit"), same("is")
-    if told.step and isinstance(count, int) and count > 1:
-        bits, be = Text(f"从{target}起的{count}个位", f"the {count} bits from {target}"), same("are")
+    bits, be = _bits(told, verb)
     if verb.name != "coil":
         return _sets(told, verb, bits, be)
     if isinstance(verb.formula, Edge):
@@ -53,16 +51,68 @@ def _pulse(told: Told, bits: Text, *, rising: bool) -> Text:
     )
 
 
+def _bits(told: Told, verb: Verb) -> tuple[Text, Text]:
+    """Name the bits that are written, with the verb that fits them."""
+    target = told.address(verb.target) if told.step or told.named else ""
+    count = told.line.bound.get(verb.count, 1)
+    if verb.sources:
+        last = told.address(verb.sources[0])
+        return Text(f"从{target}到{last}的各个位或数", f"everything from {target} to {last}"), same("is")
+    if told.step and isinstance(count, int) and count > 1:
+        return Text(f"从{target}起的{count}个位", f"the {count} bits from {target}"), same("are")
+    return Text(target or "操作数指定的位", target or "the operand's bit"), same("is")
+
+
 def _sets(told: Told, verb: Verb, bits: Text, be: Text) -> Text:
     does = Text("置位（写1）", "set to 1") if verb.name == "set" else Text("复位（写0）", "reset to 0")
+    more = _more(told, verb)
+    yes = Text("{bits}{does}{more}", "{bits} {be} {does}{more}").format(bits=bits, does=does, be=be, more=more)
+    nothing = Text("什么也不改变", "nothing changes")
+    if isinstance(verb.formula, Edge):
+        return when(told, verb, yes, nothing, Text("{bits}", "{bits}").format(bits=_now(told)))
     said = {
-        "": Text(
-            "{it}为1时，{bits}{does}；为0时什么也不改变",
-            "if {it} is 1, {bits} {be} {does}; if it is 0, nothing changes",
-        ),
-        "1": Text("{it}为1，{bits}{does}", "{it} is 1, so {bits} {be} {does}"),
+        "": Text("{it}为1时，{yes}；为0时什么也不改变", "if {it} is 1, {yes}; if it is 0, nothing changes"),
+        "1": Text("{it}为1，{yes}", "{it} is 1, so {yes}"),
         "0": Text("{it}为0，{bits}不改变", "{it} is 0, so nothing changes in {bits}"),
     }.get(
         told.was(), Text("{it}为x，{bits}是否{does}无法知道", "{it} is x, so nobody knows whether {bits} {be} {does}")
     )
-    return said.format(it=told.result, bits=bits, does=does, be=be)
+    return said.format(it=told.result, bits=bits, does=does, be=be, yes=yes)
+
+
+def _now(told: Told) -> Text:
+    """Say what the bits are that may have been written."""
+    each = [f"{place.text} = {value!r}" for place, value in told.step.written[:_MOST]] if told.step else []
+    more = ", …" if told.step and len(told.step.written) > _MOST else ""
+    return same(", ".join(each) + more)
+
+
+_MOST = 4
+
+
+def _more(told: Told, verb: Verb) -> Text:
+    """Say what a set or reset does beside its bit: a timer loses its time, a step that sets another one ends."""
+    target = told.line.bound.get(verb.target)
+    areas = next((told.dialect.kinds[one.kind].areas for one in told.line.insn.operands if one.name == verb.target), ())
+    if verb.name == "set":
+        steps = {
+            area for row in told.dialect.insns if any(one.name == "step" for one in row.then)
+            for area in told.dialect.kinds[row.operands[0].kind].areas
+        }  # fmt: skip
+        mine = steps & ({target.area} if told.step and isinstance(target, Address) else set(areas))
+        if not mine:
+            return NOTHING
+        return Text(
+            "（步里置位另一步的继电器，则本步在扫描结束时结束）",
+            " (within a step the relay of another step so ends this step with the scan)",
+        )
+    blocks = [block for block in told.dialect.blocks if block.area in areas]
+    if told.step and isinstance(target, Address):
+        blocks = [block for block in blocks if block.area == target.area and not target.field]
+    if not blocks:
+        return NOTHING
+    if told.step or verb.sources:
+        return Text("，当前值也清零", ", and so is its current value") if len(told.step.written if told.step else ()) <= 2 else Text(
+            "，当前值也清零", ", and so are the current values"
+        )
+    return Text("（定时器或计数器的当前值也清零）", " (of a timer or counter the current value too)")

@@ -23,7 +23,7 @@ def table_with(family: Dialect, made: Insn) -> Dialect:
 def beyond_bits(row: Insn) -> bool:
     """Say whether a row has to do with words, blocks, ENO, or with where the program goes on, and not only with bits."""
     words = any(operand.relation for operand in row.operands) or "ENO" in row.effect.text
-    return words or any(verb.name not in ON_BITS or verb.sources for verb in row.then if verb.target or verb.formula)
+    return words or any(verb.name not in ON_BITS or verb.sources for verb in row.then)
 
 
 def turned(text: str) -> Iterator[str]:
