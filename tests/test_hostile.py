@@ -22,7 +22,9 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from plcteach.check import grade, judge, lint, verdict_on
+from plcteach.check.judge import judge, verdict_on
+from plcteach.check.lint import lint
+from plcteach.check.score import grade
 from plcteach.cli import main
 from plcteach.core.diagnostic import errors
 from plcteach.core.errors import NotRepresentableError
@@ -31,7 +33,9 @@ from plcteach.dialects import names
 from plcteach.figure.film import film
 from plcteach.figure.ladder import ladder_scene
 from plcteach.figure.svg import svg
-from plcteach.ladder import is_drawing, lower, read_drawing
+from plcteach.ladder.lower import lower
+from plcteach.ladder.picture import read_drawing
+from plcteach.ladder.telling import is_drawing
 from plcteach.machine import run
 from plcteach.machine.formula import spelled, written
 from plcteach.publish import player_page

@@ -10,7 +10,8 @@ from itertools import product
 
 import pytest
 
-from plcteach.check import compare, lint
+from plcteach.check.lint import lint
+from plcteach.check.same import compare
 from plcteach.core.diagnostic import RULES
 from plcteach.machine import run
 from plcteach.machine.formula import spelled, written

@@ -13,7 +13,8 @@ from plcteach.core.errors import PlcTeachError
 from plcteach.core.text import language
 from plcteach.core.verdict import Verdict
 from plcteach.exercises import exercise as find_exercise
-from plcteach.ladder import is_drawing, read_either
+from plcteach.ladder.either import read_either
+from plcteach.ladder.telling import is_drawing
 from plcteach.stl import read
 
 if TYPE_CHECKING:

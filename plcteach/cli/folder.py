@@ -9,14 +9,14 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from plcteach.check import lint
+from plcteach.check.lint import lint
 from plcteach.core.diagnostic import Diagnostic, rule
 from plcteach.core.errors import NotRepresentableError
 from plcteach.core.program import Program
 from plcteach.core.source import MOST_CHARACTERS, Span, decode
 from plcteach.core.text import NOTHING, Text, same
 from plcteach.dialects import families
-from plcteach.ladder import read_either
+from plcteach.ladder.either import read_either
 from plcteach.stl.symbols import is_symbols, read_symbols
 
 if TYPE_CHECKING:

@@ -13,7 +13,7 @@ from plcteach.core.source import decode
 from plcteach.core.text import language
 from plcteach.dialects import dialect as find_dialect
 from plcteach.dialects import names
-from plcteach.ladder import read_either
+from plcteach.ladder.either import read_either
 from plcteach.machine.scan import SCAN_MS
 from plcteach.machine.timeline import timeline
 from plcteach.stl.symbols import read_symbols

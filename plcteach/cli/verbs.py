@@ -5,7 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from plcteach.check import lint, reference, verdict_on
+from plcteach.check.judge import reference, verdict_on
+from plcteach.check.lint import lint
 from plcteach.cli.printing import (
     finding_json,
     plain,

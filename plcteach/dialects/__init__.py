@@ -3,20 +3,27 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import cache
+from importlib import import_module
 from typing import TYPE_CHECKING
 
 from plcteach.core.effect import Name
 from plcteach.core.errors import DeclarationError, UnknownNameError
-from plcteach.dialects.fx import FX
-from plcteach.dialects.gutta import GUTTA
-from plcteach.dialects.neza import NEZA
-from plcteach.dialects.s7200 import S7_200, S7_200_SMART
 
 if TYPE_CHECKING:
     from plcteach.core.insn import Insn
     from plcteach.core.spec import Dialect
 
-_ALL = {one.name: one for one in (S7_200, S7_200_SMART, FX, NEZA, GUTTA)}
+_ALL = {
+    "s7-200": ("s7200", "S7_200"),
+    "s7-200-smart": ("s7200", "S7_200_SMART"),
+    "fx": ("fx", "FX"),
+    "neza": ("neza", "NEZA"),
+    "gutta": ("gutta", "GUTTA"),
+}
+"""Where each table stands; one is opened when it is first asked for."""
+
+_FAMILIES = ("s7-200", "fx", "neza", "gutta")
 
 
 def names() -> tuple[str, ...]:
@@ -26,7 +33,7 @@ def names() -> tuple[str, ...]:
 
 def families() -> tuple[Dialect, ...]:
     """Give the four families, without the variants that differ in depth only."""
-    return (S7_200, FX, NEZA, GUTTA)
+    return tuple(map(dialect, _FAMILIES))
 
 
 def dialect(name: str | Dialect) -> Dialect:
@@ -34,10 +41,16 @@ def dialect(name: str | Dialect) -> Dialect:
     if not isinstance(name, str):
         return name
     try:
-        return _ALL[name.strip().lower().replace("_", "-")]
+        return _opened(*_ALL[name.strip().lower().replace("_", "-")])
     except KeyError:
         kind = "dialect"
         raise UnknownNameError(kind, name, _ALL) from None
+
+
+@cache
+def _opened(module: str, table: str) -> Dialect:
+    found: Dialect = getattr(import_module(f"plcteach.dialects.{module}"), table)
+    return found
 
 
 def extended(family: str | Dialect, *rows: Insn) -> Dialect:

@@ -14,7 +14,7 @@ from plcteach.figure.says import describes
 from plcteach.figure.stack import illustrate
 from plcteach.figure.strip import strip
 from plcteach.figure.svg import svg
-from plcteach.ladder import read_drawing
+from plcteach.ladder.picture import read_drawing
 from plcteach.machine.scan import run
 from plcteach.stl import read
 

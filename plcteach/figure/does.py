@@ -28,9 +28,13 @@ _ALWAYS: dict[str, Text] = {
         "the index counts one on: unless it has passed the last value, the loop begins again; then it ends",
     ),
     "restore": Text(
-        "主控{target}到此结束，左母线恢复为它前面的状态", "master control {target} ends here, and the left rail is what it was before it"
+        "主控{target}到此结束，左母线恢复为它前面的状态",
+        "master control {target} ends here, and the left rail is what it was before it",
     ),
-    "entry": Text("子程序{target}从这里开始，只有被调用时才执行", "subroutine {target} begins here; it runs only where it is called"),
+    "entry": Text(
+        "子程序{target}从这里开始，只有被调用时才执行",
+        "subroutine {target} begins here; it runs only where it is called",
+    ),
     "return": Text(
         "子程序结束，回到调用它的地方，堆栈恢复原样",
         "the subroutine ends; the program goes on behind the call, with the stack as it was",
@@ -39,7 +43,9 @@ _ALWAYS: dict[str, Text] = {
         "程序到此结束，输出映像送到输出端子，下一个扫描周期从头开始",
         "the program ends here; the output image goes to the terminals, and the next scan begins at the top",
     ),
-    "rail": Text("步（段）到此结束，左母线恢复供电", "the step or segment ends here, and the left rail has its power back"),
+    "rail": Text(
+        "步（段）到此结束，左母线恢复供电", "the step or segment ends here, and the left rail has its power back"
+    ),
 }
 _ALONE = Text(
     "子程序结束，回到调用它的地方，累加器恢复原值",
@@ -101,7 +107,9 @@ _WHERE_POWERED: dict[str, tuple[Text, Text]] = {
         Text("这一段继续", "the segment goes on"),
     ),
 }  # fmt: skip
-_TRANSFERS = Text("同时当前段的继电器复位，这一段结束", "with it the relay of the present segment is reset, and that segment ends")
+_TRANSFERS = Text(
+    "同时当前段的继电器复位，这一段结束", "with it the relay of the present segment is reset, and that segment ends"
+)
 _TRANSFERS_IF = Text("这时当前段的继电器复位", "where that happens, the relay of the present segment is reset")
 _BLOCKS: dict[str, Callable[[Told, Verb], Text]] = {
     "drive": drives,

@@ -108,8 +108,13 @@ def drives(told: Told, verb: Verb) -> Text:
     if not isinstance(target, Address) or block is None:
         return NOTHING
     if told.step:
-        seen = [Text("{pin}为{value}", "{pin} is {value}").format(pin=pin, value=_level(told, verb, name) or "x") for name, pin in _located(told, verb).items()]
-        return Text("{seen}；{state}", "{seen}; {state}").format(seen=joined(seen, "，", ", "), state=state(told, target, verb))
+        seen = [
+            Text("{pin}为{value}", "{pin} is {value}").format(pin=pin, value=_level(told, verb, name) or "x")
+            for name, pin in _located(told, verb).items()
+        ]
+        return Text("{seen}；{state}", "{seen}; {state}").format(
+            seen=joined(seen, "，", ", "), state=state(told, target, verb)
+        )
     if block.rule == "timer":
         return _timer_rule(told, verb, target, block)
     pins = _located(told, verb)
@@ -178,7 +183,9 @@ def pins(told: Told, verb: Verb) -> Text:
     goes = Text("{it}接到{c}的{pin}", "{it} goes to pin {pin} of {c}").format(it=it, c=target.text, pin=verb.op)
     if told.step:
         if any(asked is verb for asked, _ in told.step.asks):
-            return Text("{goes}，等输入部分结束时起作用", "{goes}, which acts when its inputs are complete").format(goes=goes)
+            return Text("{goes}，等输入部分结束时起作用", "{goes}, which acts when its inputs are complete").format(
+                goes=goes
+            )
         return Text("{goes}；{state}", "{goes}; {state}").format(goes=goes, state=state(told, target, verb))
     return Text("{goes}：{what}", "{goes}: {what}").format(goes=goes, what=_pin_rule(told, block, target, verb.op))
 
@@ -189,7 +196,9 @@ def _pin_rule(told: Told, block: Block, target: Address, pin: str) -> Text:
         out = Text(f"到{flag}" if flag else "", f" into {flag}" if flag else "")
         return _PINS[f"{block.rule}.{pin}"].format(c=target.text, out=out)
     choices = (block.settings or {})["TYPE"].choices or {}
-    each = [Text("{type}：{what}", "{type}: {what}").format(type=word, what=_TYPES[str(op)]) for word, op in choices.items()]
+    each = [
+        Text("{type}：{what}", "{type}: {what}").format(type=word, what=_TYPES[str(op)]) for word, op in choices.items()
+    ]
     return joined(each, "；", "; ")
 
 
@@ -200,7 +209,8 @@ def opens(told: Told, verb: Verb) -> Text:
     if not isinstance(target, Address) or block is None:
         return NOTHING
     said = Text(
-        "{c}的输入部分从这里开始：引脚{pins}，没有接的引脚为0", "the inputs of {c} begin here: {pins}; a pin that gets nothing is 0"
+        "{c}的输入部分从这里开始：引脚{pins}，没有接的引脚为0",
+        "the inputs of {c} begin here: {pins}; a pin that gets nothing is 0",
     )
     named = Text("、".join(block.pins), ("pin " if len(block.pins) == 1 else "pins ") + ", ".join(block.pins))
     return said.format(c=target.text, pins=named)
@@ -243,9 +253,7 @@ def _timer_state(told: Told, target: Address, verb: Verb, written: dict[str, Any
     if None not in {ms, goal} and ms >= goal and going == "1":
         doing = Text("时间已到", "has reached its time")
     bit, value = next(iter(written.items()))
-    said = Text(
-        "{t}{doing}，已计{ms}，设定{goal}；{bit}为{value}", "{t} {doing}: {ms} of {goal}; {bit} is {value}"
-    )
+    said = Text("{t}{doing}，已计{ms}，设定{goal}；{bit}为{value}", "{t} {doing}: {ms} of {goal}; {bit} is {value}")
     base = told.dialect.bank(target).base if verb.sources else 0
     return said.format(
         t=name, doing=doing, ms=_time(ms, base, zero=True), goal=_time(goal, base), bit=bit, value=repr(value)
@@ -273,12 +281,16 @@ def _drum_state(told: Told, target: Address, _verb: Verb, written: dict[str, Any
     del told
     step = written.pop(f"{target.text}.S", None)
     bits = joined([Text(f"{bit}为{one!r}", f"{bit} is {one!r}") for bit, one in written.items()], "，", ", ")
-    return Text("{c}在第{step}步；{bits}", "{c} stands at step {step}; {bits}").format(c=target.text, step=repr(step), bits=bits)
+    return Text("{c}在第{step}步；{bits}", "{c} stands at step {step}; {bits}").format(
+        c=target.text, step=repr(step), bits=bits
+    )
 
 
 def _bits_state(told: Told, target: Address, _verb: Verb, written: dict[str, Any]) -> Text:
     del told
-    row = [repr(written[name]) for name in (f"{target.text}.{place}" for place in reversed(range(16))) if name in written]
+    row = [
+        repr(written[name]) for name in (f"{target.text}.{place}" for place in reversed(range(16))) if name in written
+    ]
     shown = " ".join("".join(row[place : place + 4]) for place in range(0, len(row), 4))
     return Text("{c}.15到{c}.0现在是{row}", "{c}.15 to {c}.0 are {row} now").format(c=target.text, row=shown)
 
@@ -286,7 +298,9 @@ def _bits_state(told: Told, target: Address, _verb: Verb, written: dict[str, Any
 def _steps_state(told: Told, target: Address, _verb: Verb, _written: dict[str, Any]) -> Text:
     assert told.step  # noqa: S101
     step = repr(dict(told.step.numbers).get(f"{target.text}.S", "x"))
-    return Text("{c}在第{step}步，{c}.{step}为1", "{c} stands at step {step}, and {c}.{step} is 1").format(c=target.text, step=step)
+    return Text("{c}在第{step}步，{c}.{step}为1", "{c} stands at step {step}, and {c}.{step} is 1").format(
+        c=target.text, step=step
+    )
 
 
 def _queue_state(told: Told, target: Address, _verb: Verb, written: dict[str, Any]) -> Text:

@@ -11,6 +11,7 @@ from plcteach.core.text import NOTHING, Text, joined
 from plcteach.figure.does import does
 from plcteach.figure.illustration import beyond_bits, example, takes_of
 from plcteach.figure.told import Told, edge_seen, operand_name, operand_said, plain, side, stack_name, with_value
+from plcteach.figure.works import flags
 from plcteach.figure.writes import writes
 
 if TYPE_CHECKING:
@@ -46,8 +47,9 @@ def describes(dialect: Dialect, insn: Insn) -> Text:
 
 
 def _otherwise(told: Told) -> Iterator[Text]:
-    """Tell of the other readings that an instruction has."""
+    """Tell of the other readings that an instruction has, and of its flags."""
     insn = told.line.insn
+    yield from (flags(told, verb) for verb in insn.then)
     if insn.fresh:
         yield Text("在新电路的开头，什么也不压入", "At the start of a new circuit nothing is pushed")
     if insn.bare:

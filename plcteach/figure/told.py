@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from plcteach.core.effect import Both, Edge, Flow, Name, Not, names
+from plcteach.core.insn import REGISTERS
 from plcteach.core.program import Compare, Value
 from plcteach.core.text import NOTHING, Text, joined, same
 from plcteach.machine.sums import real
@@ -113,6 +114,12 @@ def side(told: Told, formula: Formula, op: str) -> Text:
         place = told.flow.named[inner]
         words = Told(told.dialect, told.line, told.flow).cell(place)
         return with_value(Text(f"{words.zh}的反", f"the inverse of {words.en}"), inverse(told.was(place)))
+    if name in REGISTERS:
+        return (
+            Text(f"{name}（上一个功能框正常时为1）", f"{name} (1 where the last box went well)")
+            if not told.step
+            else same(name)
+        )
     if name and name not in told.line.bound:
         return same("x")
     return _operand_side(told, formula, op) if told.step else operand_name(told, formula)

@@ -70,7 +70,8 @@ def _at_edge(told: Told, power: str, values: dict[str, Text], now: Text) -> Text
     """Say it of a verb that acts on an edge only."""
     if told.step is None:
         said = Text(
-            "只在{it}由0变1的那个扫描周期里，{yes}；此外{no}", "only in the scan in which {it} rises, {yes}; otherwise {no}"
+            "只在{it}由0变1的那个扫描周期里，{yes}；此外{no}",
+            "only in the scan in which {it} rises, {yes}; otherwise {no}",
         )
         return said.format(**values)
     if power == "x":

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 from plcteach.core.area import Address
 from plcteach.core.program import Assign, Value
 from plcteach.core.text import NOTHING, Text, joined, same
+from plcteach.figure.told import with_value
 from plcteach.figure.when import fired, when
 from plcteach.machine.sums import RULES, real
 from plcteach.machine.words import wrapped
@@ -78,7 +79,7 @@ def works(told: Told, verb: Verb) -> Text:
     plainly = Text("{target} := {formula}", "{target} := {formula}").format(target=target, formula=_formula(told, job))
     if not told.step or power == "x":
         keeps = Text(f"{job.target.text}不变", f"{job.target.text} keeps its value")
-        return joined([when(told, verb, plainly, keeps), *([] if told.step else [_notes(told, job)])], "。", ". ")
+        return when(told, verb, plainly, keeps)
     left = told.written
     stays = _shown(told, told.step.written[0][1].value, job) if left else ""
     keeps = Text(f"{job.target.text}保持{stays}", f"{job.target.text} keeps {stays}")
@@ -90,9 +91,16 @@ def _job(told: Told, verb: Verb) -> _Job | None:
     """Find out what a line works out: from its operands, or from its expression in brackets."""
     arg, kinds = told.line.bound.get(verb.target), told.dialect.kinds
     if isinstance(arg, Assign):
-        return _Job(arg.op.rstrip("0123456789"), arg.target, kinds[arg.kind], tuple((one, kinds[arg.kind]) for one in arg.sources))
+        return _Job(
+            arg.op.rstrip("0123456789"),
+            arg.target,
+            kinds[arg.kind],
+            tuple((one, kinds[arg.kind]) for one in arg.sources),
+        )
     named = {operand.name: operand for operand in told.line.insn.operands}
-    sources = tuple((told.line.bound[name], kinds[named[name].kind]) for name in verb.sources if name in told.line.bound)
+    sources = tuple(
+        (told.line.bound[name], kinds[named[name].kind]) for name in verb.sources if name in told.line.bound
+    )
     if not isinstance(arg, Address):
         return None
     op = verb.op if verb.op in _SIGNS | _SAID else verb.op.rstrip("0123456789")
@@ -109,9 +117,9 @@ def _formula(told: Told, job: _Job) -> Text:
     said = _spelled(job.op, parts)
     if job.op in _QUOTIENTS:
         low, high = _halves(told, job)
-        return Text("{said}（商在{low}，余数在{high}）", "{said} (the quotient in {low}, the remainder in {high})").format(
-            said=said, low=low, high=high
-        )
+        return Text(
+            "{said}（商在{low}，余数在{high}）", "{said} (the quotient in {low}, the remainder in {high})"
+        ).format(said=said, low=low, high=high)
     return said
 
 
@@ -150,7 +158,9 @@ def _came(told: Told, job: _Job) -> Text:
     if repr(dict(step.kept).get("ENO", "1")) == "0":
         cut = [Text("结果太大，高位被截去", "the result is too large and is cut off")]
     del rule
-    return joined([Text("{t} := {said}", "{t} := {said}").format(t=job.target.text, said=said), *cut, *flags], "，", ", ")
+    return joined(
+        [Text("{t} := {said}", "{t} := {said}").format(t=job.target.text, said=said), *cut, *flags], "，", ", "
+    )
 
 
 def _result(told: Told, result: int | None, job: _Job) -> Text:
@@ -243,13 +253,14 @@ def _named_flags(told: Told, job: _Job) -> dict[str, Text]:
     return named
 
 
-def _notes(told: Told, job: _Job) -> Text:
-    """Say on a card which flags there are."""
-    named = _named_flags(told, job)
+def flags(told: Told, verb: Verb) -> Text:
+    """Say on a card which flags an operation writes as well."""
+    job = _job(told, verb) if verb.name == "work" else None
+    named = _named_flags(told, job) if job and job.op != "compare" else {}
     each = [Text("{flag}（{what}）", "{flag} ({what})").format(flag=flag, what=what) for flag, what in named.items()]
     if not each:
         return NOTHING
-    return Text("同时写标志：{each}", "Its flags are {each}").format(each=joined(each, "、", ", "))
+    return Text("标志：{each}", "Its flags are {each}").format(each=joined(each, "、", ", "))
 
 
 def _ordered(told: Told, verb: Verb, job: _Job) -> Text:
@@ -270,7 +281,11 @@ def _ordered(told: Told, verb: Verb, job: _Job) -> Text:
     bits = [repr(bit) for _, bit in told.step.written]
     true = [hold for hold, bit in zip(holds, bits, strict=False) if bit == "1"]
     each = same(", ".join(f"{place} = {bit}" for place, bit in zip(places, bits, strict=False)))
-    now = Text("{seen}，{true}；{each}", "{seen} and {true}, so {each}") if true else Text("{seen}；{each}", "{seen}; {each}")
+    now = (
+        Text("{seen}，{true}；{each}", "{seen} and {true}, so {each}")
+        if true
+        else Text("{seen}；{each}", "{seen}; {each}")
+    )
     said = now.format(seen=same(", ".join(seen)), true=same(true[0] if true else ""), each=each)
     if fired(told, verb) == "":
         said = each
@@ -285,27 +300,33 @@ def shifts(told: Told, verb: Verb) -> Text:
     numbers = [arg for name in verb.sources[1:] if isinstance(arg := told.line.bound.get(name), int)]
     up = verb.op == "left" or (verb.op == "row" and numbers[0] > 0)
     count = 1 if verb.op == "row" else numbers[1]
-    places = [place.text for place in told.dialect.following(target, abs(numbers[0]))] or [target.text]
+    row = [place.text for place in told.dialect.following(target, abs(numbers[0]))] or [target.text]
     entering = [place.text for place in told.dialect.following(data, count)]
-    into, out = (places[:count], places[-count:]) if up else (places[-count:], places[:count])
+    moves = _row(told, verb, (row, entering), up=up)
+    bits = " ".join(repr(bit) for _, bit in told.step.written[: len(row)]) if told.step else ""
+    stand = Text("{row}现在是{bits}", "{row} are {bits} now").format(row=_span(row), bits=bits) if bits else NOTHING
+    still = joined([Text("各位不动", "no bit moves"), stand], "，", ", ")
+    return when(told, verb, joined([moves, stand], "；", "; "), still, stand)
+
+
+def _row(told: Told, verb: Verb, bits: tuple[list[str], list[str]], *, up: bool) -> Text:
+    """Say which bits enter a row, and which fall out of it."""
+    row, entering = bits
+    count = len(entering)
+    into, out = (row[:count], row[-count:]) if up else (row[-count:], row[:count])
     flag = told.dialect.flags.get("overflow", "") if verb.op == "row" else ""
     seen = [repr(bit) for _, bit in told.step.read] if told.step else []
-    named = [f"{name}（{bit}）" for name, bit in zip(entering, seen, strict=False)] or entering
-    values = {
-        "row": _span(places), "count": count, "way": Text("向高位" if up else "向低位", "up" if up else "down"),
-        "data": Text(_span(named).zh, _span(named).en.replace("（", " (").replace("）", ")")),
-        "into": _span(into), "out": _span(out), "place": Text("位", "place" if count == 1 else "places"),
-        "enter": same("enters" if count == 1 else "enter"), "fall": same("falls" if count == 1 else "fall"),
-        "flag": Text(f"到{flag}", f" into {flag}") if flag else NOTHING,
-    }  # fmt: skip
     said = Text(
         "{row}{way}移{count}位：{data}进入{into}，{out}原来的值移出{flag}",
         "{row} move {count} {place} {way}: {data} {enter} at {into}, and what stood in {out} {fall} out{flag}",
-    ).format(**values)
-    row = [repr(bit) for _, bit in told.step.written[: len(places)]] if told.step else []
-    stand = Text("{row}现在是{bits}", "{row} are {bits} now").format(row=_span(places), bits=" ".join(row))
-    said = joined([said, stand], "；", "; ") if row else said
-    return when(told, verb, said, joined([Text("各位不动", "no bit moves"), stand if row else NOTHING], "，", ", "), stand)
+    )
+    one = count == 1
+    return said.format(
+        row=_span(row), count=count, way=Text("向高位" if up else "向低位", "up" if up else "down"),
+        data=with_value(_span(entering), " ".join(seen)), into=_span(into), out=_span(out),
+        place="place" if one else "places", enter="enters" if one else "enter", fall="falls" if one else "fall",
+        flag=Text(f"到{flag}", f" into {flag}") if flag else NOTHING,
+    )  # fmt: skip
 
 
 def _span(names: list[str]) -> Text:

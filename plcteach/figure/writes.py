@@ -112,7 +112,9 @@ def _more(told: Told, verb: Verb) -> Text:
     if not blocks:
         return NOTHING
     if told.step or verb.sources:
-        return Text("，当前值也清零", ", and so is its current value") if len(told.step.written if told.step else ()) <= 2 else Text(
-            "，当前值也清零", ", and so are the current values"
+        return (
+            Text("，当前值也清零", ", and so is its current value")
+            if len(told.step.written if told.step else ()) <= 2
+            else Text("，当前值也清零", ", and so are the current values")
         )
     return Text("（定时器或计数器的当前值也清零）", " (of a timer or counter the current value too)")

@@ -7,9 +7,8 @@ from typing import TYPE_CHECKING
 from plcteach.core.diagnostic import errors
 from plcteach.core.program import Program
 from plcteach.dialects import dialect as find_dialect
-from plcteach.ladder.lower import lower
-from plcteach.ladder.picture import is_drawing, read_drawing
-from plcteach.stl import read
+from plcteach.ladder.telling import is_drawing
+from plcteach.stl.reader import read
 
 if TYPE_CHECKING:
     from plcteach.core.spec import Dialect
@@ -20,6 +19,9 @@ def read_either(text: str, dialect: str | Dialect, symbols: Symbols | None = Non
     """Read a list, or lower a drawing; a drawing with an error gives a program without lines and with its findings."""
     if not is_drawing(text):
         return read(text, dialect, symbols=symbols)
+    from plcteach.ladder.lower import lower
+    from plcteach.ladder.picture import read_drawing
+
     family = find_dialect(dialect)
     ladder, found = read_drawing(text)
     return Program(family, (), source=text, diagnostics=found) if errors(found) else read(lower(ladder, family), family)

@@ -20,36 +20,18 @@ from plcteach.core.source import Span, half_width
 from plcteach.core.text import Text
 from plcteach.ladder.oneline import read_line, write_line
 from plcteach.ladder.reduce import rungs
+from plcteach.ladder.telling import HEADING, MOST_CHARACTERS, PLAIN
 from plcteach.ladder.typeset import write_drawing
 from plcteach.ladder.wires import FILL, TAB, Row
 
-__all__ = ["is_drawing", "read_drawing", "read_line", "write_drawing", "write_line"]
+__all__ = ["read_drawing", "read_line", "write_drawing", "write_line"]
 
-MOST_CHARACTERS = 100_000
 MOST_COLUMNS = 500
 MOST_ROWS = 120
 """Rows of one rung."""
 MOST_FINDINGS = 20
 
-_PLAIN = str.maketrans(
-    dict.fromkeys("─━—―╌┄═", "-") | dict.fromkeys("│┃║┆╎", "|") | dict.fromkeys("┌┐└┘├┤┬┴┼╭╮╯╰┏┓┗┛┣┫┳┻╋╔╗╚╝╠╣╦╩╬", "+")
-)
-_HEADING = re.compile(r"\s*(?:NETWORK|RUNG|网络|程序段|梯级)\s*\d{0,9}\s*(?P<rest>(?![\w.]).*)", re.IGNORECASE)
-_COMMENTS = re.compile(r"//[^\n]*|\(\*.*?(?:\*\)|\Z)", re.DOTALL)
-_INSIDE = re.compile(r"\[[^\[\]]*\]")
-_DASHED = re.compile(r"[-|+\[].*?(?:(?<=\])\s*-|(?<=-)\s*\([^()]*\))")
 _CONTROL = re.compile(r"[\x00-\x08\x0e-\x1f\x7f]")
-
-
-def is_drawing(text: str) -> bool:
-    """Say whether a text is a ladder and not a program, by its first line, comments and headings apart.
-
-    That line holds `--` or `->`, or it begins with a symbol or a wire and joins symbols with single dashes: `[I0.0]-(Q0.0)`.
-    """
-    for line in _COMMENTS.sub("", _plain(text[:MOST_CHARACTERS])).splitlines():
-        if line.strip(" |+\t") and not _HEADING.fullmatch(line):
-            return "--" in line or "->" in line or bool(_DASHED.match(_INSIDE.sub("[]", line.strip())))
-    return False
 
 
 def read_drawing(text: str) -> tuple[Ladder, tuple[Diagnostic, ...]]:
@@ -61,10 +43,6 @@ def read_drawing(text: str) -> tuple[Ladder, tuple[Diagnostic, ...]]:
     if not reading.rungs and not reading.diagnostics:
         reading.diagnostics.append(rule("DRW015").at(Span(1)))
     return Ladder(tuple(reading.rungs), reading.title), tuple(reading.diagnostics[:MOST_FINDINGS])
-
-
-def _plain(text: str) -> str:
-    return half_width(text.translate(_PLAIN)).replace("→", "->")
 
 
 def _read(text: str, *, wide: bool) -> _Reading:
@@ -98,7 +76,7 @@ class _Reading:
     def line(self, number: int, given: str) -> None:
         code = given[: len(half_width(given).partition("//")[0])]
         control = _CONTROL.search(code)
-        match = _HEADING.fullmatch(half_width(given))
+        match = HEADING.fullmatch(half_width(given))
         if len(code) > MOST_COLUMNS:
             size = Text(f"一行{len(code)}个字符", f"a row of {len(code)} characters")
             self.too_large(Span(number, MOST_COLUMNS, len(code)), size, f"{MOST_COLUMNS}")
@@ -158,7 +136,7 @@ class _Reading:
 
 def _row(number: int, given: str, *, wide: bool) -> Row:
     """Spread a row over the columns in which it is seen."""
-    plain = half_width(given.translate(_PLAIN))
+    plain = half_width(given.translate(PLAIN))
     tab = given.find("\t")
     if tab < 0 and (given.isascii() or not wide):
         return Row(number, plain, list(range(len(plain))))

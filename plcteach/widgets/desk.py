@@ -18,7 +18,8 @@ from plcteach.exercises import exercise as find_exercise
 from plcteach.figure.film import film
 from plcteach.figure.ladder import ladder_scene
 from plcteach.figure.svg import svg
-from plcteach.ladder import is_drawing, read_drawing
+from plcteach.ladder.picture import read_drawing
+from plcteach.ladder.telling import is_drawing
 from plcteach.machine.scan import run
 from plcteach.stl import read
 from plcteach.widgets.bench import as_json

@@ -184,7 +184,7 @@ def imports() -> None:
 
 def columns() -> None:
     """Compare 2^n rows at once with 2^n runs, and show the twenty inputs that a column still holds."""
-    from plcteach.check import compare
+    from plcteach.check.same import compare
     from plcteach.machine import run
     from plcteach.stl import read
 
@@ -216,7 +216,7 @@ def columns() -> None:
 
 def hostile() -> None:
     """Show how long hostile texts take to be read and judged, beside an honest lesson's program."""
-    from plcteach.check import lint
+    from plcteach.check.lint import lint
     from plcteach.stl import read
 
     texts = {

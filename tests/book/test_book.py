@@ -32,10 +32,11 @@ from pathlib import Path
 
 import pytest
 
-from plcteach.check import lint
+from plcteach.check.lint import lint
 from plcteach.dialects import dialect
 from plcteach.figure.illustration import illustration
-from plcteach.ladder import lower, read_drawing
+from plcteach.ladder.lower import lower
+from plcteach.ladder.picture import read_drawing
 from plcteach.machine import Trace, run
 from plcteach.machine.formula import spelled, written
 from plcteach.machine.timeline import timeline

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import pytest
 
-from plcteach.check import judge, reference, verdict_on
+from plcteach.check.judge import judge, reference, verdict_on
 from plcteach.check.report import headline, table, verdict_json
 from plcteach.core.errors import PlcTeachError, UnknownNameError
 from plcteach.core.exercise import Exercise

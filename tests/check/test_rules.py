@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from plcteach.check import lint
+from plcteach.check.lint import lint
 from plcteach.check.rules import PROGRAM_RULES, STACK_RULES
 from plcteach.check.rules.registry import finds
 from plcteach.core import text as words

@@ -10,7 +10,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from plcteach.check import compare, lint, same
+from plcteach.check import same
+from plcteach.check.lint import lint
+from plcteach.check.same import compare
 from plcteach.machine import run
 from plcteach.stl import read
 

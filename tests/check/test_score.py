@@ -12,7 +12,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from plcteach.check import Score, grade, judge
+from plcteach.check.judge import judge
+from plcteach.check.score import Score, grade
 from plcteach.core import text as words
 from plcteach.exercises import ids
 

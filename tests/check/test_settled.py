@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from plcteach.check import compare
+from plcteach.check.same import compare
 from plcteach.machine import run
 from plcteach.stl import read
 

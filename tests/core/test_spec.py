@@ -242,7 +242,7 @@ def test_a_programs_addresses_by_role() -> None:
 
 
 def test_every_instruction_stands_in_an_example_that_can_be_read_and_is_right() -> None:
-    from plcteach.check import lint
+    from plcteach.check.lint import lint
     from plcteach.stl import read
 
     for family in dialects.families():
@@ -252,3 +252,8 @@ def test_every_instruction_stands_in_an_example_that_can_be_read_and_is_right() 
             assert not [one for one in lint(program) if one.severity == "error"], (family.name, example)
             used |= {line.insn.mnemonic for line in program.lines}
         assert used == set(family.words), family.name
+
+
+def test_each_table_is_found_under_its_own_name() -> None:
+    assert [dialect(name).name for name in names()] == list(names())
+    assert [family.name for family in families()] == [name for name in names() if name != "s7-200-smart"]

@@ -6,12 +6,14 @@ from pathlib import Path
 
 import pytest
 
-from plcteach.check import judge, lint, reference
+from plcteach.check.judge import judge, reference
+from plcteach.check.lint import lint
 from plcteach.core.diagnostic import RULES, errors
 from plcteach.core.errors import DeclarationError, UnknownNameError
 from plcteach.dialects import names
 from plcteach.exercises import exercise, ids, load, parse
-from plcteach.ladder import is_drawing, read_drawing
+from plcteach.ladder.picture import read_drawing
+from plcteach.ladder.telling import is_drawing
 from plcteach.stl import read
 
 RIGHT = [(name, number) for name in ids() for number in range(len(exercise(name).right))]

@@ -187,9 +187,9 @@ class Siemens:
         if sink.verb in {"set", "reset", "clear"}:
             return f"{'S' if sink.verb == 'set' else 'R'} {self.place(target)}, {(*values, '1')[0]}"
         if sink.verb == "timer":
-            return f"{ {'on': 'TON', 'off': 'TOF', 'retentive': 'TONR'}[sink.rule]} {block(self.family, target)}, {values[0]}"
+            return f"{ {'on': 'TON', 'off': 'TOF', 'retentive': 'TONR'}[sink.rule] } {block(self.family, target)}, {values[0]}"
         if sink.verb == "counter":
-            return f"{ {'up': 'CTU', 'down': 'CTD', 'updown': 'CTUD'}[sink.rule]} {block(self.family, target)}, {values[0]}"
+            return f"{ {'up': 'CTU', 'down': 'CTD', 'updown': 'CTUD'}[sink.rule] } {block(self.family, target)}, {values[0]}"
         if sink.verb == "shift":
             return f"SHRB {self.place(sink.sources[0])}, {self.place(target)}, {sink.sources[1]}"
         word = self.place(target, word=True)
@@ -287,7 +287,9 @@ class Schneider:
         word = "AND" if isinstance(node, Series) else "OR"
         rows = self.block(node.parts[0], first)
         for part in node.parts[1:]:
-            rows += [self.leaf(part, word)] if isinstance(part, Contact | Compare) else [*self.block(part, f"{word}("), ")"]
+            rows += (
+                [self.leaf(part, word)] if isinstance(part, Contact | Compare) else [*self.block(part, f"{word}("), ")"]
+            )
         return rows
 
     def rung(self, rung: Rung) -> list[str]:
@@ -303,11 +305,14 @@ class Schneider:
         return [*rows, *(["N"] if rung.turn else []), *(self.sink(sink) for sink in rung.sinks)]
 
     def sink(self, sink: Sink) -> str:
-        target, values = self.place(sink.target, word=sink.verb == "sum"), [self.place(one, word=True) for one in sink.sources]
+        target, values = (
+            self.place(sink.target, word=sink.verb == "sum"),
+            [self.place(one, word=True) for one in sink.sources],
+        )
         if sink.verb == "sum":
             signs = {"move": "", "add": " + ", "sub": " - ", "next": " + 1", "last": " - 1"}
             return f"[ {target} := {signs[sink.rule].join(values)}{signs[sink.rule] if len(values) == 1 else ''} ]"
-        return f"{ {'coil': 'ST', 'coil not': 'STN', 'set': 'S', 'reset': 'R'}[sink.verb]} {target}"
+        return f"{ {'coil': 'ST', 'coil not': 'STN', 'set': 'S', 'reset': 'R'}[sink.verb] } {target}"
 
 
 def render(program: Program, family: str) -> str:
@@ -320,7 +325,14 @@ def render(program: Program, family: str) -> str:
 # What it does.
 
 LOW, HIGH = -32768, 32767
-RELATIONS = {"=": operator.eq, "<>": operator.ne, ">=": operator.ge, "<=": operator.le, ">": operator.gt, "<": operator.lt}
+RELATIONS = {
+    "=": operator.eq,
+    "<>": operator.ne,
+    ">=": operator.ge,
+    "<=": operator.le,
+    ">": operator.gt,
+    "<": operator.lt,
+}
 
 
 @dataclass(frozen=True)
@@ -395,7 +407,9 @@ class Direct:
         for sink in self.program.sinks():
             if sink.verb == "timer":
                 self.clocks[sink.target] = Clock(sink.rule, base_of(self.program.family, sink))
-                self.words.setdefault(f"{sink.target}.P", int(sink.sources[0]) if isinstance(sink.sources[0], int) else 0)
+                self.words.setdefault(
+                    f"{sink.target}.P", int(sink.sources[0]) if isinstance(sink.sources[0], int) else 0
+                )
             if sink.verb == "queue":
                 self.bits["empty"] = True
             if sink.verb == "steps":
@@ -431,7 +445,9 @@ class Direct:
         for sink in rung.sinks:
             self.act(sink, pins)
         if rung.tail:
-            self.bits[rung.tail[1]] = self.bit(f"{rung.sinks[0].target}.{rung.tail[0]}".removesuffix(".Q").removesuffix(".D"))
+            self.bits[rung.tail[1]] = self.bit(
+                f"{rung.sinks[0].target}.{rung.tail[0]}".removesuffix(".Q").removesuffix(".D")
+            )
 
     # Conditions.
 
@@ -641,7 +657,9 @@ class Direct:
         wrapped = (exact - LOW) % 65536 + LOW
         outside = self.ways.outside
         if outside == "signed" and sink.rule in {"add", "sub"}:
-            wrapped = exact % 32768 - (32768 if exact < 0 else 0)  # the manual's figure: 32767, 0, 1 and -1, 0 ... -32768, -1
+            wrapped = exact % 32768 - (
+                32768 if exact < 0 else 0
+            )  # the manual's figure: 32767, 0, 1 and -1, 0 ... -32768, -1
             self.bits |= {"f0": wrapped == 0, "f1": exact < LOW, "f2": exact > HIGH}
         if outside == "keeps":
             self.bits |= {"f0": fits and exact == 0, "f1": not fits, "f2": fits and exact < 0}
@@ -734,7 +752,10 @@ class Maker:
         wanted = [self.chance.choice(MENU[self.family].split()) for _ in range(self.chance.randint(2, 5))]
         self.plan = [self.planned(verb) for verb in wanted]
         rungs = tuple(self.rung(sink) for sink in self.plan)
-        first = {name: self.start() for name in ("w0", "w1", "w2")} | {"p0": self.chance.randint(1, 4), "p1": self.chance.randint(1, 4)}
+        first = {name: self.start() for name in ("w0", "w1", "w2")} | {
+            "p0": self.chance.randint(1, 4),
+            "p1": self.chance.randint(1, 4),
+        }
         return Program(self.family, rungs, first | self.high_counts())
 
     def start(self) -> int:
@@ -812,7 +833,9 @@ class Maker:
         if self.family == "fx":
             by = self.chance.choice([1, 1, 2])
             return Sink("shift", "r0", (f"i{self.chance.randint(0, 2)}", length, by), rule)
-        return Sink("shift", "r0", (self.chance.choice(["i0", "i1", "m0", "q0"]), length if rule == "up" else -length), rule)
+        return Sink(
+            "shift", "r0", (self.chance.choice(["i0", "i1", "m0", "q0"]), length if rule == "up" else -length), rule
+        )
 
     def rung(self, planned: Sink) -> Rung:
         pins = self.pins(planned)
@@ -832,7 +855,9 @@ class Maker:
             names = {"up": ("CU", "R"), "down": ("CD", "LD"), "updown": ("CU", "CD", "R")}[sink.rule]
         elif self.family == "neza" and sink.verb in {"timer", "counter", "drum", "steps", "queue", "shift"}:
             every = {"timer": ["IN"], "counter": ["R", "S", "CU", "CD"], "drum": ["R", "U"], "queue": ["R", "I", "O"]}
-            chosen = [name for name in every.get(sink.verb, ["R", "CU", "CD"]) if len(name) > 1 or self.chance.random() < 0.75]
+            chosen = [
+                name for name in every.get(sink.verb, ["R", "CU", "CD"]) if len(name) > 1 or self.chance.random() < 0.75
+            ]
             self.chance.shuffle(chosen)
             names = tuple(chosen) or ("R",)
         else:
@@ -861,12 +886,26 @@ class Maker:
     def sum(self) -> Sink:
         chance = self.chance
         rule, target = chance.choice(["move", "add", "sub", "next", "last"]), chance.choice(["w0", "w1", "w2"])
-        values: list[str | int] = ["w0", "w1", "w2", 1, 7, 1000, -5, 32767, *(w for w in self.words if w[0] in "tc" and w != "c200")]
+        values: list[str | int] = [
+            "w0",
+            "w1",
+            "w2",
+            1,
+            7,
+            1000,
+            -5,
+            32767,
+            *(w for w in self.words if w[0] in "tc" and w != "c200"),
+        ]
         presets = [name for name, one in self.blocks.items() if one.verb == "timer"] if self.family == "neza" else []
         if presets and chance.random() < 0.4:
             return Sink("sum", f"{chance.choice(presets)}.P", (chance.randint(1, 5),), "move")
         if self.siemens and chance.random() < 0.2:
-            return Sink("sum", "p1", (chance.randint(0, 5),), "move") if chance.random() < 0.6 else Sink("sum", "p1", ("p1",), "next")
+            return (
+                Sink("sum", "p1", (chance.randint(0, 5),), "move")
+                if chance.random() < 0.6
+                else Sink("sum", "p1", ("p1",), "next")
+            )
         if "queue" in self.blocks and chance.random() < 0.5:
             return Sink("sum", "in", (chance.choice(values),), "move")
         if rule == "move":

@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from plcteach.check import lint
+from plcteach.check.lint import lint
 from plcteach.machine import run
 from plcteach.stl import read
 

@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from plcteach.check import lint
+from plcteach.check.lint import lint
 from plcteach.core.errors import DeclarationError, NotRepresentableError, UnknownNameError
 from plcteach.core.insn import insn
 from plcteach.core.verb import coil, work

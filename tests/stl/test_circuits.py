@@ -6,7 +6,7 @@ from itertools import product
 
 import pytest
 
-from plcteach.check import lint
+from plcteach.check.lint import lint
 from plcteach.machine import run
 from plcteach.stl import read
 
