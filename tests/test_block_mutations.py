@@ -83,10 +83,10 @@ def numbers(word: str) -> tuple[int, ...]:
 BY_HAND = (
     # timers: the scan that starts one adds nothing; where it is on, where it stops, what it holds
     case("s7-200", "LD I0.0; TON T37, 3; LD T37; = Q0.0", "I0.0=0111110", "Q0.0=0000110 T37.V=0,0,1,2,3,4,0", 100),
-    case("s7-200", "LD I0.0; TONR T5, 3; LD T5; = Q0.0", "I0.0=01101110", "Q0.0=00000011 T5.V=0,0,1,1,1,2,3,3", 100),
+    case("s7-200", "LD I0.0; TONR T5, 3; LD T5; = Q0.0", "I0.0=01101110", "Q0.0=00000111 T5.V=0,0,1,2,2,3,4,5", 100),
     case("s7-200", "LD I0.0; TOF T38, 3; LD T38; = Q0.0", "I0.0=0110000", "Q0.0=0111110 T38.V=0,0,0,0,1,2,3", 100),
     case("gutta", "LD I0.0; TON T37, 3; LD T37; = Q0.0", "I0.0=0111110", "Q0.0=0000110 T37.V=0,0,1,2,3,4,0", 100),
-    case("gutta", "LD I0.0; TONR T5, 3; LD T5; = Q0.0", "I0.0=01101110", "Q0.0=00000011 T5.V=0,0,1,1,1,2,3,3", 100),
+    case("gutta", "LD I0.0; TONR T5, 3; LD T5; = Q0.0", "I0.0=01101110", "Q0.0=00000111 T5.V=0,0,1,2,2,3,4,5", 100),
     case("gutta", "LD I0.0; TOF T38, 3; LD T38; = Q0.0", "I0.0=0110000", "Q0.0=0111110 T38.V=0,0,0,0,1,2,3", 100),
     case("fx", "LD X0; OUT T0 K3; LD T0; OUT Y0", "X0=0111110", "Y0=0000110 T0.V=0,0,1,2,3,3,0", 100),
     case("neza", "%TM0: TB=100ms P=3; LD %I0.0; IN %TM0; LD %TM0.Q; ST %Q0.0", "%I0.0=0111110", "%Q0.0=0000110 %TM0.V=0,0,1,2,3,3,0", 100),
@@ -149,9 +149,12 @@ BY_HAND = (
         for p, wanted in (("", "M0=000100 M1=001001 M2=010010"), ("P", "M0=000000 M1=000000 M2=011111"))
     ),
     *(
-        case("fx", f"LD X0; {d}ZCP{p} D0 D2 D4 M0", "X0=0111111 D0=3, D2=5, D4=2,2,3,4,5,6,-1 D5=0,0,0,0,0,0,-1", wanted)
+        case("fx", f"LD X0; {d}ZCP{p} D0 D2 D4 M0", f"D0=3, D2=5, {given}", wanted)
         for d in ("", "D")
-        for p, wanted in (("", "M0=0100001 M1=0011100 M2=0000010"), ("P", "M0=0111111 M1=0000000 M2=0000000"))
+        for p, given, wanted in (
+            ("", "X0=0111111 D4=2,2,3,4,5,6,-1 D5=0,0,0,0,0,0,-1", "M0=0100001 M1=0011100 M2=0000010"),
+            ("P", "X0=0101011 D4=4,4,4,6,4,2,4", "M0=0000011 M1=0110000 M2=0001100"),
+        )
     ),
     # where the program goes on
     case("s7-200", "LD I0.0; JMP 1; LD I0.1; = Q0.0; LBL 1; LD I0.1; = Q0.1", "I0.0=0110 I0.1=1010", "Q0.0=1110 Q0.1=1010"),
@@ -159,7 +162,7 @@ BY_HAND = (
     case("s7-200", "LD I0.0; CALL SBR0\nSUBROUTINE_BLOCK SBR_0:SBR0\nLD I0.1; CRET; LD SM0.0; = Q0.1; RET; = Q0.2\nEND_SUBROUTINE_BLOCK", "I0.0=0011 I0.1=0110", "Q0.1=0001 Q0.2=0000"),
     case("s7-200", "LD I0.0; END; LD I0.1; = Q0.0", "I0.0=0110 I0.1=1100", "Q0.0=1110"),
     case("s7-200", "LD I0.0; = Q0.0; MEND; LD I0.0; = Q0.1", "I0.0=01", "Q0.0=01 Q0.1=00"),
-    case("s7-200", "LD I0.0; STOP; LD I0.1; = Q0.0", "I0.0=0010 I0.1=0110", "Q0.0=0111"),
+    case("s7-200", "LD I0.0; STOP; LD I0.1; = Q0.0", "I0.0=0100 I0.1=1011", "Q0.0=1000"),
     case(
         "s7-200", "LSCR S0.1; LD SM0.0; = Q0.0; LD I0.0; SCRT S0.2; SCRE; LD I0.1; = Q0.2; "
         "LSCR S0.2; LD SM0.0; = Q0.1; LD I0.2; CSCRE; LD SM0.0; = Q0.3; SCRE",
@@ -251,28 +254,22 @@ def compared(family: str, text: str, which: tuple[str, str, str], places: tuple[
 # Words worked out from words: nothing without power, then the result.
 
 
-def siemens(
-    family: str, area: str, mnemonic: str, letters: str, before: tuple[int, ...], after: int, more: str = ""
-) -> Case:
-    """Give the case of an instruction on IN and OUT (or on OUT alone), which are words of these widths, and SM1.1."""
+def siemens(family: str, area: str, mnemonic: str, letters: str, before: tuple[int, ...], after: int) -> Case:
+    """Give the case of an instruction on IN and OUT (or on OUT alone), which are words of these widths."""
     places = [f"{area}{letter}{12 * at}" for at, letter in enumerate(letters)]
-    text = f"LD I0.0; {mnemonic} {', '.join([*places, more] if more else places)}"
     given = dict(zip(places, before, strict=True))
-    return Case(family, text, ({"I0.0": 0, "SM1.1": 1, **given}, {"I0.0": 1}), ((places[-1], (before[-1], after)),))
+    rows = ({"I0.0": 0, **given}, {"I0.0": 1})
+    return Case(family, f"LD I0.0; {mnemonic} {', '.join(places)}", rows, ((places[-1], (before[-1], after)),))
 
 
-SUMS = {"+": (107, 3.5), "-": (93, 2.5), "*": (700, 1.5), "/": (14, 6.0)}
+SUMS = {
+    "+": (operator.add, 3.5),
+    "-": (operator.sub, 2.5),
+    "*": (operator.mul, 1.5),
+    "/": (lambda a, b: int(a / b), 6.0),
+}
 BITS = {"AND": 8, "OR": 14, "XOR": 6}
 BELOW = {"B": 8, "W": 16, "D": 32}
-
-
-def rolled(word: str, value: int, count: int, size: int) -> int:
-    """Shift or turn a string of bits."""
-    text = f"{value:0{size}b}"
-    moved = {
-        "SL": text[count:] + "0" * count, "SR": "0" * count + text[:-count], "RL": text[count:] + text[:count], "RR": text[-count:] + text[:-count],
-    }[word]  # fmt: skip
-    return int(moved, 2)
 
 
 def read_as(value: int, letter: str) -> int:
@@ -281,11 +278,28 @@ def read_as(value: int, letter: str) -> int:
     return value - (value >> (size - 1) << size) if letter != "B" else value
 
 
+def rolled(word: str, letter: str, value: int) -> Case:
+    """Shift or turn a word by two places, as a string of bits; the bit that falls out last stands in SM1.1."""
+    text = f"{value:0{BELOW[letter]}b}"
+    after = {"SL": text[2:] + "00", "SR": "00" + text[:-2], "RL": text[2:] + text[:2], "RR": text[-2:] + text[:-2]}[
+        word
+    ]
+    place, out = f"V{letter}0", int(text[1] if word[1] == "L" else text[-2])
+    before, shifted = read_as(value, letter), read_as(int(after, 2), letter)
+    rows = ({"I0.0": 0, place: before, "SM1.1": 1 - out}, {"I0.0": 1})
+    return Case(
+        "s7-200", f"LD I0.0; {word}{letter} {place}, 2", rows, ((place, (before, shifted)), ("SM1.1", (1 - out, out)))
+    )
+
+
 def words_of_siemens() -> Iterator[Case]:
     for family, area, letters in (("s7-200", "V", "WD"), ("gutta", "M", "W")):
         for letter in letters:
             for sign, (whole, _) in SUMS.items():
-                yield siemens(family, area, f"{sign}{'I' if letter == 'W' else letter}", letter * 2, (7, 100), whole)
+                first = 100 if letter == "W" else 100_000
+                yield siemens(
+                    family, area, f"{sign}{'I' if letter == 'W' else letter}", letter * 2, (-7, first), whole(first, -7)
+                )
         for letter in "BWD":
             yield siemens(family, area, f"MOV{letter}", letter * 2, (7, 100), 7)
     one = ("s7-200", "V")
@@ -302,8 +316,7 @@ def words_of_siemens() -> Iterator[Case]:
         for word, result in BITS.items():
             yield siemens(*one, f"{word}{letter}", letter * 2, (10, 12), result)
         for word in ("SL", "SR", "RL", "RR"):
-            value = 0b0101_0110 << size - 8 | 0b1001
-            yield siemens(*one, f"{word}{letter}", letter, (value,), read_as(rolled(word, value, 2, size), letter), "2")
+            yield rolled(word, letter, 0b1101_0110 << size - 8 | 0b1001)
     yield siemens(*one, "BTI", "BW", (200, 0), 200)
     yield siemens(*one, "ITB", "WB", (200, 1), 200)
     yield siemens(*one, "ITB", "WB", (300, 1), 1)
@@ -416,7 +429,7 @@ def wrong_pins(verb: Verb) -> Iterator[Verb]:
 
 COUNTERS = ("up", "down", "updown", "upto")
 COMMUTE = {"add", "mul", "and", "or", "xor", "radd", "rmul", "sum", "product"}
-THE_SAME = {("/I", "divmod"), ("*I", "mul16")}
+THE_SAME = {("/I", "divmod"), ("*I", "mul16"), ("SRB", "ror16"), ("SRB", "ror32")}
 """Rules that give the same in so narrow a word."""
 
 

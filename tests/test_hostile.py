@@ -9,6 +9,7 @@ import io
 import json
 import os
 import random
+import re
 import subprocess
 import sys
 import time
@@ -608,7 +609,7 @@ def test_garbage_is_read_and_what_was_read_is_written_and_read_again_equal(diale
     def holds(text: str) -> None:
         program = read(text, dialect)
         assert read(write(program), dialect) == program
-        given_rows = text.split("\n")
+        given_rows = re.split(r"\r\n|\n|\r", text)
         for one in lint(program):
             assert one.text.zh
             assert one.text.en
@@ -676,7 +677,7 @@ def test_a_garbled_drawing_is_read_and_lowered_or_refused_in_words(text: str) ->
     ladder, found = read_drawing(text)
     assert found or ladder.rungs
     for one in found:
-        assert 0 <= one.span.row <= len(text.split("\n")) + 1
+        assert 0 <= one.span.row <= len(re.split(r"\r\n|\n|\r", text)) + 1
     if ladder.rungs:
         for dialect in DIALECTS:
             assert lowered(ladder, dialect)

@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING
 from plcteach.core.program import Assign, Value
 from plcteach.core.text import NOTHING, Text, same
 from plcteach.figure.drives import drives, opens, pins, updates
-from plcteach.figure.told import with_value
 from plcteach.figure.when import fired, when
 from plcteach.figure.works import shifts, works
 
@@ -22,7 +21,7 @@ _ALWAYS: dict[str, Text] = {
         "程序跳到标号{target}，中间的指令不执行",
         "the program goes on at label {target}, and the lines between are passed over",
     ),
-    "label": Text("标号{target}：跳转到这里的程序从这里接着执行", "label {target}: a jump to it goes on from here"),
+    "label": Text("跳转到标号{target}的程序从这里接着执行", "a jump to label {target} goes on from here"),
     "next": Text(
         "循环变量加1：没有超过终值，就回到循环开头再执行一遍；超过了，循环结束",
         "the index counts one on: unless it has passed the last value, the loop begins again; then it ends",
@@ -43,9 +42,7 @@ _ALWAYS: dict[str, Text] = {
         "程序到此结束，输出映像送到输出端子，下一个扫描周期从头开始",
         "the program ends here; the output image goes to the terminals, and the next scan begins at the top",
     ),
-    "rail": Text(
-        "步（段）到此结束，左母线恢复供电", "the step or segment ends here, and the left rail has its power back"
-    ),
+    "rail": Text("{part}到此结束，左母线恢复供电", "{part} ends here, and the left rail has its power back"),
 }
 _ALONE = Text(
     "子程序结束，回到调用它的地方，累加器恢复原值",
@@ -60,7 +57,7 @@ _WHERE_POWERED: dict[str, tuple[Text, Text]] = {
         Text("不跳转，接着执行下一条", "there is no jump, and the next line follows"),
     ),
     "call": (
-        Text("调用{target}：整个堆栈保存起来，子程序{begins}", "{target} is called: the whole stack is put aside, and {begins}"),
+        Text("调用{target}：{begins}", "{target} is called: {begins}"),
         Text("不调用{target}", "{target} is not called"),
     ),
     "loop": (
@@ -111,6 +108,15 @@ _TRANSFERS = Text(
     "同时当前段的继电器复位，这一段结束", "with it the relay of the present segment is reset, and that segment ends"
 )
 _TRANSFERS_IF = Text("这时当前段的继电器复位", "where that happens, the relay of the present segment is reset")
+_STEP, _SEGMENT = Text("这一步", "the step"), Text("这一段", "the segment")
+_STACK = Text(
+    "整个堆栈保存起来，子程序开始时栈顶为1，其余各层为0",
+    "the whole stack is put aside, and the subroutine begins with 1 on top and 0 below",
+)
+_ACCUMULATOR = Text(
+    "{it}和各个栈保存起来，子程序开始时{it}为1",
+    "{it} and the stacks are put aside, and the subroutine begins with {it} 1",
+)
 _BLOCKS: dict[str, Callable[[Told, Verb], Text]] = {
     "drive": drives,
     "pin": pins,
@@ -138,12 +144,14 @@ def does(told: Told, verb: Verb) -> Text:
 
 def _values(told: Told, verb: Verb) -> dict[str, Text]:
     """Give what the sentences name."""
-    begins = Text("开始时栈顶为1，其余各层为0", "the subroutine begins with 1 on top and 0 below")
+    begins = _STACK
     if told.main.depth == 1:
-        begins = Text("开始时{it}为1", "the subroutine begins with {it} 1").format(it=told.result)
-    first, last = (_spelled(told, name) for name in (verb.sources + ("", ""))[:2])
+        begins = _ACCUMULATOR.format(it=told.result)
+    steps = any(one.name == "step" for row in told.dialect.insns for one in row.then)
+    first, last = (_spelled(told, name) for name in (*verb.sources, "", "")[:2])
     return {
-        "target": goal(told, verb), "begins": begins, "first": first, "last": last,
+        "target": goal(told, verb), "begins": begins,
+        "part": _STEP if steps else _SEGMENT, "first": first, "last": last,
         "out": same(told.address("out")) if "out" in told.line.bound else NOTHING,
     }  # fmt: skip
 
@@ -152,8 +160,7 @@ def _spelled(told: Told, name: str) -> Text:
     arg = told.line.bound.get(name)
     if isinstance(arg, Value):
         return same(arg.text)
-    seen = {place: repr(value) for place, value in told.step.read} if told.step else {}
-    return with_value(same(told.address(name)), seen.get(arg, "")) if arg is not None else NOTHING  # type: ignore[call-overload]
+    return same(told.address(name)) if arg is not None else NOTHING
 
 
 def goal(told: Told, verb: Verb) -> Text:

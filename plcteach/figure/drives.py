@@ -187,7 +187,10 @@ def pins(told: Told, verb: Verb) -> Text:
                 goes=goes
             )
         return Text("{goes}；{state}", "{goes}; {state}").format(goes=goes, state=state(told, target, verb))
-    return Text("{goes}：{what}", "{goes}: {what}").format(goes=goes, what=_pin_rule(told, block, target, verb.op))
+    said = (
+        Text("{goes}；{what}", "{goes}; {what}") if block.rule == "timer" else Text("{goes}：{what}", "{goes}: {what}")
+    )
+    return said.format(goes=goes, what=_pin_rule(told, block, target, verb.op))
 
 
 def _pin_rule(told: Told, block: Block, target: Address, pin: str) -> Text:
@@ -197,7 +200,8 @@ def _pin_rule(told: Told, block: Block, target: Address, pin: str) -> Text:
         return _PINS[f"{block.rule}.{pin}"].format(c=target.text, out=out)
     choices = (block.settings or {})["TYPE"].choices or {}
     each = [
-        Text("{type}：{what}", "{type}: {what}").format(type=word, what=_TYPES[str(op)]) for word, op in choices.items()
+        Text("TYPE={type}时，{what}", "with TYPE={type} {what}").format(type=word, what=_TYPES[str(op)])
+        for word, op in choices.items()
     ]
     return joined(each, "；", "; ")
 
@@ -239,7 +243,8 @@ def state(told: Told, target: Address, verb: Verb) -> Text:
     block = told.dialect.block(target)
     assert told.step and block  # noqa: PT018, S101 (asked for steps of blocks only)
     written = {place.text: value for place, value in told.step.written}
-    return _STATES[block.rule](told, target, verb, written)
+    said: Text = _STATES[block.rule](told, target, verb, written)
+    return said
 
 
 def _timer_state(told: Told, target: Address, verb: Verb, written: dict[str, Any]) -> Text:

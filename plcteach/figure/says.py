@@ -12,7 +12,7 @@ from plcteach.figure.does import does
 from plcteach.figure.illustration import beyond_bits, example, takes_of
 from plcteach.figure.told import Told, edge_seen, operand_name, operand_said, plain, side, stack_name, with_value
 from plcteach.figure.works import flags
-from plcteach.figure.writes import writes
+from plcteach.figure.writes import besides, writes
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -50,6 +50,7 @@ def _otherwise(told: Told) -> Iterator[Text]:
     """Tell of the other readings that an instruction has, and of its flags."""
     insn = told.line.insn
     yield from (flags(told, verb) for verb in insn.then)
+    yield from (besides(told, verb) for verb in insn.then)
     if insn.fresh:
         yield Text("在新电路的开头，什么也不压入", "At the start of a new circuit nothing is pushed")
     if insn.bare:

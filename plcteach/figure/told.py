@@ -169,7 +169,8 @@ def operand_name(told: Told, formula: Formula) -> Text:
             said = Text("{it}的比较结果（成立为1，不成立为0）", "the comparison {it} (1 where it holds, 0 where not)")
             return said.format(it=comparison(arg))
         if arg is not None and told.named and isinstance(formula, Name):
-            return same(told.address(name))
+            relay = Text("继电器", "relay ") if told.line.insn.powers else NOTHING
+            return Text(f"{relay.zh}{told.address(name)}", f"{relay.en}{told.address(name)}")
     match formula:
         case Edge(rising, _):
             return Text(

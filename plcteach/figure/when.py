@@ -18,19 +18,18 @@ def fired(told: Told, verb: Verb) -> str:
     """Say whether a verb's condition held: "1", "0", "x"; nothing without values or where an edge cannot be seen."""
     if told.step is None:
         return ""
+    power = told.was() or "x"
     match verb.formula:
         case None:
-            return "1"
+            power = "1"
         case Not():
-            return inverse(told.was())
-        case Edge():
-            worked = dict(told.step.kept).get("ENO")
-            if told.was() == "x":
-                return "x"
-            return "0" if told.first or told.was() == "0" else "1" if repr(worked) == "1" else ""
+            power = inverse(power)
+        case Edge() if power == "1":
+            worked = repr(dict(told.step.kept).get("ENO"))
+            power = "0" if told.first else "1" if worked == "1" else ""
         case Name(name) if name in told.line.bound:
-            return told.value
-    return told.was() or "x"
+            power = told.value
+    return power
 
 
 def condition(told: Told, formula: Formula | None) -> Text:
@@ -55,7 +54,7 @@ def when(told: Told, verb: Verb, yes: Text, no: Text, now: Text = NOTHING) -> Te
     if power == "x":
         return _unknown(values)
     seen = inverse(power) if isinstance(verb.formula, Not) else power
-    said = Text("{it}为{seen}：{what}", "{it} is {seen}: {what}")
+    said = Text("{it}为{seen}，{what}", "{it} is {seen}, so {what}")
     return said.format(it=it, seen=seen, what=yes if power == "1" else no)
 
 
@@ -80,5 +79,5 @@ def _at_edge(told: Told, power: str, values: dict[str, Text], now: Text) -> Text
         said = Text("{it}为1，只有它刚由0变1时才执行；{now}", "{it} is 1, and only its rising edge counts; {now}")
         return said.format(**values, now=now)
     why = edge_seen(told, with_value(told.result, told.was()), power, rising=True)
-    said = Text("{why}：{what}", "{why}: {what}")
+    said = Text("{why}，{what}", "{why}, so {what}")
     return said.format(why=why, what=values["yes" if power == "1" else "no"])

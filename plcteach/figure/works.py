@@ -45,6 +45,7 @@ _MOVES = {"move", "fit", "to_real"}
 _HALVES = {"mul16", "divmod"}
 _QUOTIENTS = {"divmod", "parts"}
 _BITWISE = {"and", "or", "xor", "not", "shl", "shr", "rol", "ror"}
+_TURNS = {"shl", "shr", "rol", "ror"}
 _ROOTS = {"sqrt", "rsqrt"}
 _FLAGS = {
     "zero": Text("结果为0", "the result is 0"),
@@ -111,7 +112,7 @@ def _formula(told: Told, job: _Job) -> Text:
     """Spell what is worked out, in addresses and constants."""
     parts = [same(arg.text if not isinstance(arg, int) else str(arg)) for arg, _ in job.sources]
     if job.op in _HALVES:
-        parts[0] = Text(f"{parts[0].zh}的低字", f"the low word of {parts[0].en}")
+        parts[0] = Text(f"{parts[0].zh}的低字", f"(the low word of {parts[0].en})")
     if job.op == "fit":
         return Text("{a}（放得下时）", "{a} (if it fits)").format(a=parts[0])
     said = _spelled(job.op, parts)
@@ -146,6 +147,8 @@ def _came(told: Told, job: _Job) -> Text:
     values, result = _values(told, job), step.written[0][1].value
     shown, flags = _shown(told, result, job), _raised(told, job)
     parts = [same(_one(told, value, kind, job)) for value, (_, kind) in zip(values, job.sources, strict=True)]
+    if job.op in _TURNS:
+        parts[1] = same(str(values[1]))
     said = same(shown) if job.op in _MOVES else _spelled(job.op, parts)
     trouble = _trouble(told, job, values) if repr(dict(step.kept).get("ENO", "1")) == "0" else None
     if trouble:
@@ -173,7 +176,7 @@ def _result(told: Told, result: int | None, job: _Job) -> Text:
     return Text(f"{low}，余{high}", f"{low}, remainder {high}")
 
 
-def _trouble(told: Told, job: _Job, values: list[int | None]) -> Text | None:
+def _trouble(told: Told, job: _Job, values: list[Any]) -> Text | None:
     """Say why nothing was written, if nothing was."""
     if RULES[_full(job)].divides and values[-1] == 0:
         return Text("除数为0", "nothing can be divided by 0")
@@ -188,10 +191,10 @@ def _full(job: _Job) -> str:
     return job.op if job.op in RULES else f"{job.op}{job.kind.size}"
 
 
-def _values(told: Told, job: _Job) -> list[int | None]:
+def _values(told: Told, job: _Job) -> list[Any]:
     """Give the numbers that were read, in the order of the operands; a constant is its own."""
     reads = iter(value for place, value in told.step.read if isinstance(place, Address)) if told.step else iter(())
-    found: list[int | None] = []
+    found: list[Any] = []
     for arg, _ in job.sources:
         word: Any = next(reads, None) if isinstance(arg, Address) else arg
         number = word.number if isinstance(word, Value) else getattr(word, "value", word)
@@ -260,7 +263,7 @@ def flags(told: Told, verb: Verb) -> Text:
     each = [Text("{flag}（{what}）", "{flag} ({what})").format(flag=flag, what=what) for flag, what in named.items()]
     if not each:
         return NOTHING
-    return Text("标志：{each}", "Its flags are {each}").format(each=joined(each, "、", ", "))
+    return Text("标志：{each}", "Flags: {each}").format(each=joined(each, "、", ", "))
 
 
 def _ordered(told: Told, verb: Verb, job: _Job) -> Text:
@@ -318,13 +321,13 @@ def _row(told: Told, verb: Verb, bits: tuple[list[str], list[str]], *, up: bool)
     seen = [repr(bit) for _, bit in told.step.read] if told.step else []
     said = Text(
         "{row}{way}移{count}位：{data}进入{into}，{out}原来的值移出{flag}",
-        "{row} move {count} {place} {way}: {data} {enter} at {into}, and what stood in {out} {fall} out{flag}",
+        "{row} move {count} {place} {way}: {data} {enter} at {into}, and what stood in {out} falls out{flag}",
     )
     one = count == 1
     return said.format(
         row=_span(row), count=count, way=Text("向高位" if up else "向低位", "up" if up else "down"),
         data=with_value(_span(entering), " ".join(seen)), into=_span(into), out=_span(out),
-        place="place" if one else "places", enter="enters" if one else "enter", fall="falls" if one else "fall",
+        place="place" if one else "places", enter="enters" if one else "enter",
         flag=Text(f"到{flag}", f" into {flag}") if flag else NOTHING,
     )  # fmt: skip
 

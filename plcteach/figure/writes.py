@@ -57,7 +57,7 @@ def _bits(told: Told, verb: Verb) -> tuple[Text, Text]:
     count = told.line.bound.get(verb.count, 1)
     if verb.sources:
         last = told.address(verb.sources[0])
-        return Text(f"从{target}到{last}的各个位或数", f"everything from {target} to {last}"), same("is")
+        return Text(f"{target}到{last}", f"{target} to {last}"), same("are")
     if told.step and isinstance(count, int) and count > 1:
         return Text(f"从{target}起的{count}个位", f"the {count} bits from {target}"), same("are")
     return Text(target or "操作数指定的位", target or "the operand's bit"), same("is")
@@ -91,30 +91,28 @@ _MOST = 4
 
 
 def _more(told: Told, verb: Verb) -> Text:
-    """Say what a set or reset does beside its bit: a timer loses its time, a step that sets another one ends."""
+    """Say that a timer or counter loses its current value with its bit."""
     target = told.line.bound.get(verb.target)
-    areas = next((told.dialect.kinds[one.kind].areas for one in told.line.insn.operands if one.name == verb.target), ())
-    if verb.name == "set":
-        steps = {
-            area for row in told.dialect.insns if any(one.name == "step" for one in row.then)
-            for area in told.dialect.kinds[row.operands[0].kind].areas
-        }  # fmt: skip
-        mine = steps & ({target.area} if told.step and isinstance(target, Address) else set(areas))
-        if not mine:
-            return NOTHING
-        return Text(
-            "（步里置位另一步的继电器，则本步在扫描结束时结束）",
-            " (within a step the relay of another step so ends this step with the scan)",
-        )
-    blocks = [block for block in told.dialect.blocks if block.area in areas]
-    if told.step and isinstance(target, Address):
-        blocks = [block for block in blocks if block.area == target.area and not target.field]
-    if not blocks:
+    if verb.name != "reset" or not told.step or not isinstance(target, Address) or target.field:
         return NOTHING
-    if told.step or verb.sources:
-        return (
-            Text("，当前值也清零", ", and so is its current value")
-            if len(told.step.written if told.step else ()) <= 2
-            else Text("，当前值也清零", ", and so are the current values")
+    block = told.dialect.block(target)
+    return Text("，当前值也清零", ", and the current value becomes 0 too") if block else NOTHING
+
+
+def besides(told: Told, verb: Verb) -> Text:
+    """Say on a card what a set or reset does beside its bit: a timer loses its time, a step that sets another one ends."""
+    operand = next((one for one in told.line.insn.operands if one.name == verb.target), None)
+    if operand is None or not operand.kind:
+        return NOTHING
+    areas = told.dialect.kinds[operand.kind].areas
+    if verb.name == "set":
+        openers = (row for row in told.dialect.insns if any(one.name == "step" for one in row.then))
+        steps = {area for row in openers for area in told.dialect.kinds[row.operands[0].kind].areas}
+        ends = Text(
+            "在一步里置位另一步的继电器，这一步随本次扫描结束",
+            "Where a step sets the relay of another step, it ends with the scan",
         )
-    return Text("（定时器或计数器的当前值也清零）", " (of a timer or counter the current value too)")
+        return ends if steps & areas else NOTHING
+    if verb.name == "reset" and any(block.area in areas for block in told.dialect.blocks):
+        return Text("定时器和计数器的当前值也清零", "A timer or counter loses its current value too")
+    return NOTHING
