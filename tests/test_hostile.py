@@ -39,6 +39,7 @@ from plcteach.ladder.picture import read_drawing
 from plcteach.ladder.telling import is_drawing
 from plcteach.machine import run
 from plcteach.machine.formula import spelled, written
+from plcteach.machine.timeline import timeline
 from plcteach.publish import player_page
 from plcteach.stl import read, write
 from plcteach.widgets import ExerciseDesk, Workbench
@@ -405,6 +406,140 @@ def test_a_long_right_program_is_played_or_refused_soon(capsys, tmp_path) -> Non
     assert capsys.readouterr().err == ""
 
 
+# Words, blocks, time, and loops that do not end
+
+EXPRESSIONS = {
+    "10,000 brackets": "[" * 10_000,
+    "10,000 brackets that close": "LD " + "[" * 10_000 + "%MW0 > 1" + "]" * 10_000,
+    "10,000 rows of brackets": "[\n" * 10_000,
+    "10,000 parentheses in a bracket": "[ %MW0 := " + "(" * 10_000 + "%MW1" + ")" * 10_000 + " ]",
+    "900 parentheses in a bracket": "[ %MW0 := " + "(" * 900 + "%MW1" + ")" * 900 + " ]",
+    "an expression of 2,000 characters": "[ %MW0 := %MW1" + " + %MW1" * 280 + " ]",
+    "an expression of 100,000 characters": "[ %MW0 := %MW1" + " * 2" * 25_000 + " ]",
+}
+
+
+@pytest.mark.parametrize("name", EXPRESSIONS)
+def test_an_expression_that_nobody_should_write_is_answered_soon_and_in_its_place(name: str) -> None:
+    text = f"LD %I0.0\n{EXPRESSIONS[name]}"
+    with soon(10):
+        found = [one for one in lint(read(text, "neza")) if one.severity == "error"]
+    assert {"EXP001"} <= {one.code for one in found}
+    assert all(one.span.row >= 2 and one.text.en and one.text.zh for one in found)
+
+
+@pytest.mark.parametrize(
+    "row", ["999999999 x (1ms on, 1ms off)", "999999999s on, off", "999 x (" * 1_000 + "1ms on" + ")" * 1_000, "9" * 5_000 + "s on"]
+)  # fmt: skip
+def test_a_timeline_that_nobody_should_write_is_answered_soon(row: str, tmp_path, capsys) -> None:
+    with soon(10):
+        found = timeline(f"I0.0: {row}", "s7-200").diagnostics
+    assert found
+    assert all(one.code.startswith("TIM") and one.span.row == 1 for one in found)
+    path = tmp_path / "p.stl"
+    path.write_text("LD I0.0\n= Q0.0\n", encoding="utf-8")
+    with soon(10):
+        assert main(["run", str(path), "--inputs", f"I0.0: {row}"]) in {1, 2}
+    assert "Traceback" not in capsys.readouterr().err
+
+
+TIMERS = {
+    "s7-200": "".join(f"LD I0.0\nTON T{37 + at % 27}, {at % 100}\n" for at in range(10_000)),
+    "fx": "".join(f"LD X0\nOUT T{at % 200} K{at % 100 + 1}\n" for at in range(9_900)),
+    "neza": "".join(f"LD %I0.0\nIN %TM{at % 32}\n" for at in range(10_000)),
+}
+
+
+@pytest.mark.parametrize("dialect", TIMERS)
+def test_20_000_lines_of_timers_are_read_and_run_soon(dialect: str) -> None:
+    with soon():
+        program = read(TIMERS[dialect], dialect)
+        assert not [one for one in lint(program) if one.severity == "error"]
+        assert len(run(program, 3).scans) == 3
+
+
+def test_20_000_configuration_lines_are_answered_soon() -> None:
+    with soon():
+        found = lint(
+            read("".join(f"%TM{at % 32}: P={at % 100}\n" for at in range(20_000)) + "LD %I0.0\nIN %TM0", "neza")
+        )
+    assert {"CFG005"} <= {one.code for one in found}
+
+
+@pytest.mark.parametrize(
+    ("text", "row", "code"),
+    [
+        ("%DR0: OUT=%Q0.0 STEPS=" + ",".join("1" * 255), 1, "CFG002"),
+        ("%DR0: OUT=%Q0.0,%Q0.1 STEPS=" + "1" * 255, 1, "CFG003"),
+        ("%DR0: OUT=" + ",".join(f"%Q{at // 32 % 8}.{at % 32}" for at in range(255)) + " STEPS=" + "1" * 255, 1, "CFG002"),
+        ("%DR0: OUT=%Q0.0 STEPS=" + ",".join("1" * 100_000), 1, "RDR013"),
+    ],
+)  # fmt: skip
+def test_a_drum_that_is_far_too_large_is_answered_soon(text: str, row: int, code: str) -> None:
+    with soon(10):
+        found = lint(read(f"{text}\nLD %I0.0\nU %DR0", "neza"))
+    assert (code, row) in {(one.code, one.span.row) for one in found}
+
+
+NESTED = "; ".join(f"LD SM0.0; FOR VW{word}, 1, 32767" for word in (0, 2, 4)) + "; NEXT; NEXT; NEXT"
+RUNAWAY = {
+    "a jump backwards": ("s7-200", "LBL 1; LD SM0.0; JMP 1", "RUN002"),
+    "three loops": ("s7-200", NESTED, "RUN002"),
+    "a jump without a condition": ("neza", "%L1:; JMP %L1", "RUN002"),
+    "a jump with one": ("neza", "%L1:; LD 1; JMPC %L1", "RUN002"),
+    "a routine that calls itself twice": (
+        "s7-200",
+        "LD SM0.0; CALL SBR0\nSUBROUTINE_BLOCK SBR_0:SBR0\nLD SM0.0; CALL SBR0; LD SM0.0; CALL SBR0\nEND_SUBROUTINE_BLOCK",
+        "RUN003",
+    ),
+    "two routines that call each other": (
+        "neza",
+        "LD 1; SR0; END; SR0:; LD 1; SR1; LD 1; SR1; RET; SR1:; LD 1; SR0; LD 1; SR0; RET",
+        "RUN003",
+    ),
+}
+
+
+@pytest.mark.parametrize("name", RUNAWAY)
+def test_a_program_that_runs_away_is_stopped_and_told_where(name: str) -> None:
+    dialect, text, code = RUNAWAY[name]
+    program = read(text, dialect)
+    with soon(20):
+        trace = run(program, 3)
+    assert {one.code for one in trace.diagnostics} == {code}
+    rows = text.split("\n")
+    for one in trace.diagnostics:
+        assert rows[one.span.row - 1][one.span.start : one.span.stop].split()[0] in {
+            "JMP",
+            "JMPC",
+            "NEXT",
+            "CALL",
+            "SR0",
+            "SR1",
+        }
+    assert len(trace.starts) == (1 if code == "RUN002" else 3)
+
+
+@pytest.mark.parametrize("name", RUNAWAY)
+def test_a_program_that_runs_away_is_played_for_a_while(name: str) -> None:
+    dialect, text, code = RUNAWAY[name]
+    with soon(30):
+        shot = film(run(read(text, dialect), 1).scans)
+        bench = Workbench(text, dialect)
+    assert shot.length <= 2_000
+    assert ("the beginning only" in shot.data["title"]["en"]) == (code == "RUN002")
+    assert code in {one["code"] for one in json.loads(bench.report)["diagnostics"]}
+
+
+@pytest.mark.parametrize("name", RUNAWAY)
+def test_a_program_that_runs_away_is_judged_soon(name: str) -> None:
+    dialect, text, _ = RUNAWAY[name]
+    output = "LD I0.0; = Q0.0" if dialect == "s7-200" else "LD %I0.0; ST %Q0.0"
+    with soon(2 * HANGS):
+        verdict = verdict_on(read(f"{output}; {text}", dialect), read(output, dialect))
+    assert verdict.status in {"equal", "different", "unknown", "unsettled"}
+
+
 # Encodings
 
 SPOKEN = "Network 1 // 电动机 启动\nLD I0.0 // 启动按钮\n= Q0.0 // 接触器\n"
@@ -525,6 +660,24 @@ PIECES = {
         "=I",
         "U",
         "ULD",
+        "TON",
+        "TOF",
+        "CTU",
+        "MOVW",
+        "+I",
+        "/D",
+        "INCB",
+        "LDW>=",
+        "AB<>",
+        "SHRB",
+        "JMP",
+        "LBL",
+        "FOR",
+        "NEXT",
+        "CALL",
+        "LSCR",
+        "SCRE",
+        "AENO",
     ],
     "fx": [
         "LD",
@@ -546,6 +699,15 @@ PIECES = {
         "MEP",
         "END",
         "NOP",
+        "MC",
+        "MCR",
+        "STL",
+        "RET",
+        "DMOVP",
+        "ADD",
+        "LD>=",
+        "ZRST",
+        "SFTL",
     ],
     "neza": [
         "LD",
@@ -567,14 +729,109 @@ PIECES = {
         "S",
         "R",
         "END",
+        "BLK",
+        "OUT_BLK",
+        "END_BLK",
+        "IN",
+        "CU",
+        "U",
+        "JMPC",
+        "SR1",
+        "%L1:",
+        "SR1:",
+        "RET",
+        "[",
+        "%TM0:",
+        "%DR0:",
     ],
-    "gutta": ["LD", "LDN", "A", "O", "NOT", "P", "N", "ALD", "OLD", "LPS", "LRD", "LPP", "=", "S", "R"],
+    "gutta": [
+        "LD",
+        "LDN",
+        "A",
+        "O",
+        "NOT",
+        "P",
+        "N",
+        "ALD",
+        "OLD",
+        "LPS",
+        "LRD",
+        "LPP",
+        "=",
+        "S",
+        "R",
+        "TON",
+        "CTUD",
+        "MOVW",
+        "+I",
+        "ADD_I",
+        "LDW<",
+        "OB=",
+    ],
 }
 OPERANDS = {
-    "s7-200": ["I0.0", "i0.1", "Q0.0", "M0.0", "E0.0", "A0.0", "T37", "I0.8", "3", "9", "1", "1, 2"],
-    "fx": ["X0", "X010", "x7", "X8", "Y0", "M0", "M8000", "T0", "K10"],
-    "neza": ["%I0.0", "%I0.1", "%Q0.0", "%M0", "0", "1", "%S13", "I0.0", "%M0)"],
-    "gutta": ["I0.0", "Q0.0", "M0.0", "SM0.0", "Q0.0, 2", "M0.1"],
+    "s7-200": [
+        "I0.0",
+        "i0.1",
+        "Q0.0",
+        "M0.0",
+        "E0.0",
+        "A0.0",
+        "T37",
+        "I0.8",
+        "3",
+        "9",
+        "1",
+        "1, 2",
+        "T37, 5",
+        "VW0, VW2",
+        "VD0",
+        "16#FF, AC0",
+        "VW0, 1, 5",
+        "C0, 3",
+        "I0.1, V0.0, -4",
+        "SBR0",
+        "S0.1",
+    ],
+    "fx": [
+        "X0",
+        "X010",
+        "x7",
+        "X8",
+        "Y0",
+        "M0",
+        "M8000",
+        "T0",
+        "K10",
+        "T0 K10",
+        "C0 K5",
+        "K4X0 D0",
+        "N0 M100",
+        "D0 K5 D10",
+        "S20",
+        "X1 M0 K8 K1",
+        "M0 M7",
+    ],
+    "neza": [
+        "%I0.0",
+        "%I0.1",
+        "%Q0.0",
+        "%M0",
+        "0",
+        "1",
+        "%S13",
+        "I0.0",
+        "%M0)",
+        "%TM0",
+        "%C0.D",
+        "[%MW0 > 5]",
+        "%MW0 := %MW1 + 5 ]",
+        "%L1",
+        "TYPE=TON P=5",
+        "OUT=%Q0.0 STEPS=0,1",
+        "%SBR0.3",
+    ],
+    "gutta": ["I0.0", "Q0.0", "M0.0", "SM0.0", "Q0.0, 2", "M0.1", "T37, 5", "C0, 3", "MW0, MW4", "1000, MW4, MW4"],
 }
 LAYOUT = [
     "\n", "\n", "\n", "; ", " ", "\t", "\r\n", "\r", " // ", "//", "(*", "*)", ";", "；", "／／", "（＊", "\nNetwork 1\n", "\nNETWORK 2 // title\n",

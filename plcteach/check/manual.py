@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass
 from html import escape
 from typing import TYPE_CHECKING
@@ -16,6 +17,7 @@ from plcteach.figure.card import Card
 from plcteach.stl import read
 
 if TYPE_CHECKING:
+    from plcteach.core.insn import Insn
     from plcteach.core.spec import Dialect, Sample
 
 _BAD = Text("这样会触发它", "This triggers it")
@@ -115,19 +117,28 @@ def explain(word: str = "", dialect: str | Dialect | None = None) -> Card | Rule
     """
     if not word:
         return InsnTable(find_dialect(dialect)) if dialect else RuleTable()
-    word, _, number = word.partition(" ")
-    if number and not dialect:
-        dialect = next((one for one in families() if word.upper() in one.words), None)
-    if word.upper() in RULES:
-        code = word.upper()
-        mine = [find_dialect(dialect)] if dialect else families()
+    code = word.strip().upper()
+    mine = [find_dialect(dialect)] if dialect else families()
+    if code in RULES:
         samples = tuple((one, sample) for one in mine for sample in one.samples if sample.code == code)
         return RulePage(rule(code), samples)
+    for family in mine:
+        row = _row(family, code)
+        if row:
+            return Card(family, row)
     if dialect:
-        family = find_dialect(dialect)
-        return Card(family, family.insn(word))
-    for family in families():
-        if word.upper() in family.words:
-            return Card(family, family.words[word.upper()])
+        return Card(mine[0], mine[0].insn(code.partition(" ")[0]))
     kind = "instruction or diagnostic"
     raise UnknownNameError(kind, word, [*RULES, *(name for family in families() for name in family.words)])
+
+
+def _row(family: Dialect, words: str) -> Insn | None:
+    """Find an instruction by its mnemonic, by a whole line of it (LDS 3, OUT T0 K10), or by its word alone (CU)."""
+    word, _, operands = words.partition(" ")
+    area = re.match(r"%?[A-Z]*", operands)
+    for name in (words, f"{word} {area.group()}" if area else word, family.aliases.get(word, word)):
+        if name in family.words:
+            return family.words[name]
+    if word.startswith("[") and "[" in family.words:
+        return family.words["["]
+    return next((row for row in family.insns if row.word == word), None)

@@ -21,7 +21,12 @@ def main(argv: Sequence[str] | None = None) -> int:
     """Run one command and give its exit code; nothing is raised but KeyboardInterrupt and a closed pipe."""
     parser = parser_of_all()
     try:
-        options = parser.parse_args(argv)
+        options, others = parser.parse_known_args(argv)
+        words = getattr(options, "word", None)
+        if words is not None and not any(one.startswith("--") for one in others):
+            options.word, others = [*words, *others], []  # an instruction may begin with a sign (-I)
+        if others:
+            parser.error(f"unrecognized arguments: {' '.join(others)}")
     except SystemExit as stop:
         return int(stop.code or 0)
     if not getattr(options, "verb", None):

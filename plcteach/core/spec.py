@@ -256,8 +256,18 @@ class Dialect:
         """Give the block or timer that a field belongs to."""
         return self.area(address).address(address.index) if address.field else address
 
+    @cached_property
+    def _covered(self) -> dict[Address, tuple[Address, ...]]:
+        return {}
+
     def bits_of(self, address: Address) -> tuple[Address, ...]:
         """Give the bits that an address covers, the lowest first; none where it is kept as a number of its own."""
+        known = self._covered.get(address)
+        if known is None:
+            known = self._covered[address] = self._bits_under(address)
+        return known
+
+    def _bits_under(self, address: Address) -> tuple[Address, ...]:
         if address.size == 1:
             return (address,)
         area = self.area(address)

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from plcteach.core.text import Text, language, same
 from plcteach.core.verb import coil
+from plcteach.figure.blocks import blocks_of
 from plcteach.figure.illustration import illustration
 from plcteach.figure.ladder import ladder_scene
 from plcteach.figure.says import describes
@@ -19,7 +20,7 @@ from plcteach.machine.scan import run
 from plcteach.stl import read
 
 if TYPE_CHECKING:
-    from plcteach.core.insn import Insn
+    from plcteach.core.insn import Insn, Operand
     from plcteach.core.spec import Dialect
     from plcteach.figure.scene import Scene
 
@@ -85,30 +86,49 @@ class Card:
         return _CLASSES["stack"] if self.insn.effect.clauses[0].takes or self.insn.operands else _CLASSES["other"]
 
     @property
+    def name(self) -> str:
+        """What the instruction is called: its mnemonic, and where that is an opening bracket, both brackets."""
+        return f"{self.insn.mnemonic} ]" if self.insn.mnemonic == "[" else self.insn.mnemonic
+
+    @property
     def form(self) -> str:
         """How it is written: the mnemonic and its operands by name."""
-        return f"{self.insn.word} {', '.join(operand.mark + operand.name for operand in self.insn.operands)}".strip()
+        word, operands = self.insn.word, self.insn.operands
+        if any(verb.name == "update" for verb in self.insn.then):
+            return word
+        if operands and operands[0].mark and operands[0].mark == word.rstrip(":"):
+            return f"{operands[0].mark}{operands[0].name}{word.removeprefix(operands[0].mark)}"
+        said = self.insn.separator.join(self._spelled(operand) for operand in operands)
+        return f"[ {said} ]" if word == "[" else f"{word} {said}".strip()
+
+    def _spelled(self, operand: Operand) -> str:
+        if operand.relation:
+            return self.insn.separator.join((f"{operand.name}1", f"{operand.name}2"))
+        return f"{operand.mark}{operand.name}"
 
     def facts(self) -> list[tuple[Text, Text]]:
         """Give the card's rows: class, form, operands, what it does, the effect as the table has it."""
         rows = [(_FORM, Text(self.form, self.form))]
-        for operand in self.insn.operands:
-            title = (
-                Text(f"{operand.first}到{operand.last}", f"{operand.first} to {operand.last}")
-                if operand.number
-                else self.dialect.kinds[operand.kind].title
-            )
-            areas = "" if operand.number else " ".join(sorted(self.dialect.kinds[operand.kind].areas)).strip()
-            zh, en = (f"（{areas}）", f" ({areas})") if areas else ("", "")
-            rows.append((_OPERANDS, Text(f"{operand.name}：{title.zh}{zh}", f"{operand.name}: {title.en}{en}")))
-        example = self.dialect.example(self.insn.mnemonic)
+        rows += [(_OPERANDS, self._operand(operand)) for operand in self.insn.operands]
+        rows += blocks_of(self.dialect, self.insn)
         rows.append((_EFFECT, same(self.insn.effect.text)))
-        return [*rows, (_EXAMPLE, Text(example, example))]
+        return [*rows, (_EXAMPLE, same(self.dialect.example(self.insn.mnemonic)))]
+
+    def _operand(self, operand: Operand) -> Text:
+        """Say what may stand for an operand."""
+        name = self._spelled(operand) if operand.relation else operand.name
+        if operand.number:
+            first, last = f"{operand.mark}{operand.first}", f"{operand.mark}{operand.last}"
+            return Text(f"{name}：{first}到{last}", f"{name}: {first} to {last}")
+        kind = self.dialect.kinds[operand.kind]
+        areas = " ".join(sorted(kind.areas)).strip()
+        zh, en = (f"（{areas}）", f" ({areas})") if areas else ("", "")
+        return Text(f"{name}：{kind.title.zh}{zh}", f"{name}: {kind.title.en}{en}")
 
     def symbol(self) -> Scene | None:
         """Draw what the instruction is in a ladder; stack instructions are wires there, so they show what they join."""
         line = self._drawing()
-        if not line:
+        if not line or any(verb.name not in _VERBS["coil"] for verb in self.insn.then):
             return None
         letters = {letter: self._bit("input", place) for place, letter in enumerate("abcd")}
         coils = {letter: self._bit("output", place) for place, letter in enumerate("qrs")}
@@ -136,13 +156,13 @@ class Card:
 
     def example(self) -> Scene:
         """Draw the example's stack, line by line, with inputs that all are 1."""
-        program = read(self.dialect.example(self.insn.mnemonic), self.dialect)
+        program = read(self.dialect.example(self.insn.mnemonic).replace("; ", "\n"), self.dialect)
         ones = {address.text: 1 for address in program.addresses("input")}
         return strip(run(program, [ones]).scans[0])
 
     def text(self, lang: str) -> str:
         """Give the card as lines of text for a terminal."""
-        head = f"{self.insn.mnemonic}  {self.insn.title.in_(lang)}  [{self.dialect.title.in_(lang)}, {self.kind.in_(lang)}]"
+        head = f"{self.name}  {self.insn.title.in_(lang)}  [{self.dialect.title.in_(lang)}, {self.kind.in_(lang)}]"
         rows = [head, "", describes(self.dialect, self.insn).in_(lang), ""]
         rows += [f"{name.in_(lang)}: {value.in_(lang)}" for name, value in self.facts()]
         shown = illustration(self.dialect, self.insn.mnemonic)
@@ -159,7 +179,7 @@ class Card:
         pictures = [*([symbol] if symbol else []), illustrate(self.dialect, self.insn.mnemonic), self.example()]
         figures = "".join(f"<div>{svg(scene, lang)}</div>" for scene in pictures)
         return (
-            f"<h4>{escape(self.insn.mnemonic)} — {escape(self.insn.title.in_(lang))} "
+            f"<h4>{escape(self.name)} — {escape(self.insn.title.in_(lang))} "
             f"<small>{escape(self.dialect.title.in_(lang))}, {escape(self.kind.in_(lang))}</small></h4>"
             f"<p>{escape(describes(self.dialect, self.insn).in_(lang))}</p><table>{facts}</table>{figures}"
         )

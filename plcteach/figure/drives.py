@@ -260,16 +260,13 @@ def _timer_state(told: Told, target: Address, verb: Verb, written: dict[str, Any
     bit, value = next(iter(written.items()))
     said = Text("{t}{doing}，已计{ms}，设定{goal}；{bit}为{value}", "{t} {doing}: {ms} of {goal}; {bit} is {value}")
     base = told.dialect.bank(target).base if verb.sources else 0
-    return said.format(
-        t=name, doing=doing, ms=_time(ms, base, zero=True), goal=_time(goal, base), bit=bit, value=repr(value)
-    )
+    return said.format(t=name, doing=doing, ms=_time(ms, base), goal=_time(goal, base), bit=bit, value=repr(value))
 
 
-def _time(ms: int | None, base: int, *, zero: bool = False) -> Text:
+def _time(ms: int | None, base: int) -> Text:
     """Write a time with the count that the list sees."""
     if ms is None or not base:
         return same(lasting(ms))
-    del zero
     return with_value(same(lasting(ms)), str(ms // base))
 
 

@@ -67,13 +67,15 @@ def film(scans: Iterable[Scan[Column]], title: Text | None = None, *, rows: bool
     program = first.program
     maker = _Maker(program, rows=rows)
     for scan in chain([first], waiting):
-        if len(maker.steps) + len(program.lines) >= MOST_STEPS and maker.steps:
-            title = joined((title or program.dialect.title, Text("（只放开头部分）", "(the beginning only)")))
+        if maker.cut or (len(maker.steps) + len(program.lines) >= MOST_STEPS and maker.steps):
+            maker.cut = True
             break
         maker.scan(scan)
-    return Film(maker.data(title or program.dialect.title))
+    whole = title or program.dialect.title
+    return Film(maker.data(joined((whole, _BEGINNING)) if maker.cut else whole))
 
 
+_BEGINNING = Text("（只放开头部分）", "(the beginning only)")
 _LOST = Text(
     "最下面一层还没有用过的值被推出栈底，丢失了。",
     "The bottom level's value, not yet used, was pushed out and is lost.",
@@ -107,6 +109,7 @@ class _Maker:
     kept_keys: dict[int, list[list[str]]] = field(default_factory=dict)
     alive: list[Step[Column]] = field(default_factory=list)
     heights: list[int] = field(default_factory=list)
+    cut: bool = False
 
     def __post_init__(self) -> None:
         self.formulas = spelled(self.program)
@@ -144,6 +147,9 @@ class _Maker:
         self.kept_keys.clear()
         self.alive.clear()
         for step, plant in scan.walk():
+            self.cut = len(self.alive) >= max(MOST_STEPS - 1, len(self.program.lines))  # a loop that ran away
+            if self.cut:
+                break
             self.alive.append(step)
             self.blocks.look(step)
             self.step(scan, step.number, step, starts=step.number in heads)

@@ -12,6 +12,7 @@ from plcteach.core.errors import UnknownNameError
 from plcteach.core.program import Line
 from plcteach.core.text import Text, same
 from plcteach.dialects import dialect as find_dialect
+from plcteach.figure.compared import comparison
 from plcteach.machine.formula import Spelling, Term, name, written
 from plcteach.machine.step import Step, step
 from plcteach.stl import read
@@ -22,7 +23,7 @@ if TYPE_CHECKING:
     from plcteach.core.area import Address
     from plcteach.core.effect import Effect
     from plcteach.core.insn import Insn, Operand
-    from plcteach.core.program import Arg
+    from plcteach.core.program import Arg, Compare
     from plcteach.core.spec import Dialect
 
 Columns = tuple[tuple[str, ...], ...]
@@ -124,6 +125,10 @@ class _World(Spelling):
 
     def __init__(self, dialect: Dialect) -> None:
         self.dialect = dialect
+
+    def compare(self, compare: Compare) -> Term:
+        """Name a comparison as it is read aloud."""
+        return name(comparison(compare))
 
     def following(self, address: Address, count: int) -> tuple[Address, ...]:
         """Give `count` addresses from this one on."""

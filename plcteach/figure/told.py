@@ -9,6 +9,7 @@ from plcteach.core.effect import Both, Edge, Flow, Name, Not, names
 from plcteach.core.insn import REGISTERS
 from plcteach.core.program import Compare, Value
 from plcteach.core.text import NOTHING, Text, joined, same
+from plcteach.figure.compared import comparison
 from plcteach.machine.sums import real
 
 if TYPE_CHECKING:
@@ -180,14 +181,6 @@ def operand_name(told: Told, formula: Formula) -> Text:
         case Not():
             return Text("操作数的反", "the inverse of the operand's bit")
     return Text("操作数的位", "the operand's bit")
-
-
-_SIGNS = {">=": "≥", "<=": "≤", "<>": "≠"}
-
-
-def comparison(compare: Compare) -> str:
-    """Write a comparison as it is read aloud: VW0 ≥ 10."""
-    return f"{compare.left.text} {_SIGNS.get(compare.relation, compare.relation)} {compare.right.text}"
 
 
 def _compared(told: Told, compare: Compare, value: str) -> Text:

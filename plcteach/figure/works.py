@@ -141,7 +141,7 @@ def _halves(told: Told, job: _Job) -> tuple[Text, Text]:
 
 def _came(told: Told, job: _Job) -> Text:
     """Say with numbers what was worked out, whether it fitted, and which flags are 1."""
-    step, rule = told.step, RULES.get(job.op)
+    step = told.step
     if step is None or not step.written:
         return NOTHING
     values, result = _values(told, job), step.written[0][1].value
@@ -152,15 +152,16 @@ def _came(told: Told, job: _Job) -> Text:
     said = same(shown) if job.op in _MOVES else _spelled(job.op, parts)
     trouble = _trouble(told, job, values) if repr(dict(step.kept).get("ENO", "1")) == "0" else None
     if trouble:
-        kept = Text("{why}，{target}保持{shown}", "{why}, so {target} keeps {shown}")
+        kept = Text("，但{why}，{target}保持{shown}", "; {why}, so {target} keeps {shown}")
         kept = kept.format(why=trouble, target=job.target.text, shown=shown)
-        return joined([Text("{said}：{kept}", "{said}: {kept}").format(said=said, kept=kept), *flags], "，", ", ")
+        return joined(
+            [Text("要算{said}{kept}", "{said} is wanted{kept}").format(said=said, kept=kept), *flags], "，", ", "
+        )
     if job.op not in _MOVES:
         said = Text("{said} = {shown}", "{said} = {shown}").format(said=said, shown=_result(told, result, job))
     cut = []
     if repr(dict(step.kept).get("ENO", "1")) == "0":
         cut = [Text("结果太大，高位被截去", "the result is too large and is cut off")]
-    del rule
     return joined(
         [Text("{t} := {said}", "{t} := {said}").format(t=job.target.text, said=said), *cut, *flags], "，", ", "
     )

@@ -90,13 +90,20 @@ def _now(told: Told) -> Text:
 _MOST = 4
 
 
+_COUNTING = {"timer", "counter"}
+
+
 def _more(told: Told, verb: Verb) -> Text:
     """Say that a timer or counter loses its current value with its bit."""
     target = told.line.bound.get(verb.target)
     if verb.name != "reset" or not told.step or not isinstance(target, Address) or target.field:
         return NOTHING
     block = told.dialect.block(target)
-    return Text("，当前值也清零", ", and the current value becomes 0 too") if block else NOTHING
+    return (
+        Text("，当前值也清零", ", and the current value becomes 0 too")
+        if block and block.rule in _COUNTING
+        else NOTHING
+    )
 
 
 def besides(told: Told, verb: Verb) -> Text:
@@ -113,6 +120,6 @@ def besides(told: Told, verb: Verb) -> Text:
             "Where a step sets the relay of another step, it ends with the scan",
         )
         return ends if steps & areas else NOTHING
-    if verb.name == "reset" and any(block.area in areas for block in told.dialect.blocks):
+    if verb.name == "reset" and any(block.area in areas and block.rule in _COUNTING for block in told.dialect.blocks):
         return Text("定时器和计数器的当前值也清零", "A timer or counter loses its current value too")
     return NOTHING

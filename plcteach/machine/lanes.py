@@ -13,6 +13,7 @@ from plcteach.machine.course import Mixed
 from plcteach.machine.scan import SCAN_MS, Trace, address_of, run, spread, sweep
 from plcteach.machine.signals import ONE, ZERO, Column, X
 from plcteach.machine.store import Memory, Store
+from plcteach.machine.sweep import in_word
 from plcteach.machine.words import Domain, Number, gathered, value_of
 
 if TYPE_CHECKING:
@@ -82,6 +83,8 @@ def _inputs(
         for name, value in row.items():
             place = address_of(program.dialect, name)
             into = held if program.dialect.area(place).role == "input" else now
+            if in_word(program.dialect, place):
+                raise Mixed
             for key, one in spread(program, place, value).items():
                 blank = ZERO if isinstance(one, Column) else Number(0)
                 into.setdefault(key, [blank] * len(rows))[lane] = one

@@ -6,6 +6,7 @@ cannot do (an x in an input, an address written from outside) is done line by li
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from plcteach.core.diagnostic import Diagnostic, rule
@@ -13,7 +14,7 @@ from plcteach.machine.blocks import AT_END
 from plcteach.machine.generated import Generated, Unsure, bit_of
 from plcteach.machine.signals import ONE, ZERO
 from plcteach.machine.store import Memory
-from plcteach.machine.sweep import address_of, spread, sweep
+from plcteach.machine.sweep import address_of, in_word, spread, sweep
 from plcteach.machine.trace import APART, Trace
 from plcteach.machine.words import BITS, Number
 
@@ -164,6 +165,9 @@ class Recorder:
             into = held if given else once
             if place.size == 1 and value in _BITS and not place.field:
                 into[place.text] = _BITS[value]
+            elif in_word(self.program.dialect, place):
+                memory = self.memory()
+                into |= spread(self.program, place, value, replace(memory, words={**memory.words, **once}))
             else:
                 into |= spread(self.program, place, value)
         if held:

@@ -9,6 +9,7 @@ from plcteach.core.errors import UnknownNameError
 from plcteach.machine.course import Course
 from plcteach.machine.signals import ONE, ZERO, Column, Signal, X
 from plcteach.machine.store import Memory
+from plcteach.machine.sums import real_bits
 from plcteach.machine.words import BITS, UNKNOWN, Domain, Number
 from plcteach.machine.world import Plant
 
@@ -21,6 +22,8 @@ if TYPE_CHECKING:
     from plcteach.machine.step import Step
 
 S = TypeVar("S", bound=Signal)
+
+_LONG = 32
 
 
 def sweep(
@@ -60,15 +63,32 @@ def address_of(dialect: Dialect, word: str) -> Address:
     raise UnknownNameError(kind, word, (area.first for area in dialect.areas))
 
 
-def spread(program: Program, place: Address, value: Any) -> dict[str, Any]:
-    """Turn a given value into the bits or numbers in which the machine keeps it."""
-    if place.size == 1 and not (place.field and program.dialect.area(place).digits):
+def spread(program: Program, place: Address, value: Any, memory: Memory[Column] | None = None) -> dict[str, Any]:
+    """Turn a given value into the bits or numbers in which the machine keeps it; `memory`: what a word's other bits are."""
+    if place.size == 1 and not in_word(program.dialect, place):
         return {place.text: _bit(value)}
-    number = UNKNOWN if value == "x" else Number(int(value))
-    plant = Plant(program, Memory(), {}, BITS)
+    plant = Plant(program, memory or Memory(), {}, BITS)
+    if place.size == 1:
+        plant.store(place, _bit(value))
+        whole = program.dialect.whole(place).text
+        return {whole: plant.number(whole)}
+    number = UNKNOWN if value == "x" else _number(program.dialect, place, value)
     plant.bits.clear()
+    plant.words.clear()
     plant.store(place, number)
     return {**plant.bits, **plant.words}
+
+
+def in_word(dialect: Dialect, place: Address) -> bool:
+    """Say whether an address is one bit of a word that is kept as a number."""
+    return place.size == 1 and bool(place.field and dialect.area(place).digits)
+
+
+def _number(dialect: Dialect, place: Address, value: Any) -> Number:
+    """Give a number as a word keeps it; a float for a double word is its 32 bits, in a family that works on reals."""
+    if isinstance(value, float) and place.size == _LONG and any(one.real for one in dialect.kinds.values()):
+        return Number(real_bits(value))
+    return Number(int(value))
 
 
 def _bit(value: object) -> Column:

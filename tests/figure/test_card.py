@@ -34,7 +34,8 @@ def card(name: str, mnemonic: str) -> Card:
 def test_a_card_has_its_sentence_form_operands_effect_example_and_figures(name: str, mnemonic: str, lang: str) -> None:
     one = card(name, mnemonic)
     text, html = one.text(lang), one.html(lang)
-    assert text.startswith(f"{mnemonic}  {one.insn.title.in_(lang)}")
+    assert text.startswith(f"{one.name}  {one.insn.title.in_(lang)}")
+    assert one.name.startswith(mnemonic)
     assert one.insn.effect.text in text
     for operand in one.insn.operands:
         assert operand.name in text

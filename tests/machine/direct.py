@@ -180,7 +180,7 @@ class Siemens:
         rows = [row for _, node in rung.pins for row in self.block(node)]
         return [*rows, *self.turned(rung.turn), *(self.sink(sink) for sink in rung.sinks)]
 
-    def sink(self, sink: Sink) -> str:
+    def sink(self, sink: Sink) -> str:  # noqa: PLR0911 (a row for each sort)
         target, values = sink.target, [self.place(one, word=True) for one in sink.sources]
         if sink.verb == "coil":
             return f"= {self.place(target)}"
@@ -318,8 +318,9 @@ class Schneider:
 def render(program: Program, family: str) -> str:
     """Give a family's list of a program."""
     assert program.family == family
-    writer = {"fx": Mitsubishi, "neza": Schneider}.get(family, Siemens)
-    return writer(program).text()
+    if family == "neza":
+        return Schneider(program).text()
+    return (Mitsubishi(program) if family == "fx" else Siemens(program)).text()
 
 
 # What it does.
@@ -380,6 +381,7 @@ def base_of(family: str, timer: Sink) -> int:
     number = int(timer.target[1:])
     if family == "neza":
         return int(timer.sources[1])
+    ranges: tuple[tuple[int, int], ...]
     if family == "fx":
         ranges = ((199, 100), (245, 10), (249, 1), (255, 100), (511, 1))
     else:
@@ -441,7 +443,7 @@ class Direct:
         if rung.turn == "not":
             pins = {"": not pins[""]}
         elif rung.turn:
-            pins = {"": self.edge(rung.turn, self.fresh(), pins[""])}
+            pins = {"": self.edge(rung.turn, self.fresh(), now=pins[""])}
         for sink in rung.sinks:
             self.act(sink, pins)
         if rung.tail:
@@ -453,17 +455,17 @@ class Direct:
 
     def closed(self, node: Node) -> bool:
         if isinstance(node, Series):
-            return all([self.closed(part) for part in node.parts])
+            return all([self.closed(part) for part in node.parts])  # noqa: C419 (every edge in it looks)
         if isinstance(node, Parallel):
-            return any([self.closed(part) for part in node.parts])
+            return any([self.closed(part) for part in node.parts])  # noqa: C419
         if isinstance(node, Compare):
             return bool(RELATIONS[node.relation](self.word(node.left), self.word(node.right)))
         if node.how in {"", "not"}:
             return self.bit(node.bit) != (node.how == "not")
         if self.ways.images:
             before = self.last.get(node.bit, False) if self.last is not None else None
-            return self.between(node.how, before, self.image.get(node.bit, False))
-        return self.edge(node.how, self.fresh(), self.bit(node.bit))
+            return self.between(node.how, before=before, now=self.image.get(node.bit, False))
+        return self.edge(node.how, self.fresh(), now=self.bit(node.bit))
 
     def bit(self, name: str) -> bool:
         return self.bits.get(name, False)
@@ -478,13 +480,13 @@ class Direct:
         self.place += 1
         return self.place
 
-    def edge(self, how: str, key: object, now: bool) -> bool:  # noqa: FBT001
+    def edge(self, how: str, key: object, *, now: bool) -> bool:
         """Give an edge since this place was last worked out."""
         before = self.seen.get(key, False if self.ways.flow_from_0 else None)
         self.seen[key] = now
-        return self.between(how, before, now)
+        return self.between(how, before=before, now=now)
 
-    def between(self, how: str, before: bool | None, now: bool) -> bool:  # noqa: FBT001
+    def between(self, how: str, *, before: bool | None, now: bool) -> bool:
         """Tell an edge; where there is no before, in the first scan, there is none."""
         return before is not None and before != now and now == (how == "rise")
 
@@ -494,7 +496,7 @@ class Direct:
             return False
         before = self.seen.get((sink.target, pin))
         self.seen[sink.target, pin] = pins[pin]
-        return self.between("rise", before, pins[pin])
+        return self.between("rise", before=before, now=pins[pin])
 
     # What the flow acts on.
 
@@ -508,7 +510,7 @@ class Direct:
                 if flow:
                     self.bits[f"{sink.target[0]}{number}"] = sink.verb == "set"
         elif sink.verb == "timer":
-            self.time(sink, pins.get("IN", flow))
+            self.time(sink, power=pins.get("IN", flow))
         else:
             {"clear": self.clear, "counter": self.count, "sum": self.sum, "shift": self.shift, "drum": self.drum,
              "steps": self.steps, "queue": self.store}[sink.verb](sink, pins)  # fmt: skip
@@ -541,7 +543,7 @@ class Direct:
         elif due:
             clock.bit = clock.going = False
 
-    def time(self, sink: Sink, power: bool) -> None:  # noqa: FBT001
+    def time(self, sink: Sink, *, power: bool) -> None:
         clock, name = self.clocks[sink.target], sink.target
         goal = self.word(f"{name}.P" if self.program.family == "neza" else sink.sources[0]) * clock.base
         if self.program.family != "neza" or not clock.going:
@@ -549,9 +551,9 @@ class Direct:
         if clock.base not in self.ways.at_scan_start:
             self.advance(clock)
         if clock.rule == "off":
-            self.off_delay(clock, power)
+            self.off_delay(clock, power=power)
         elif clock.rule == "pulse":
-            self.pulse(clock, power)
+            self.pulse(clock, power=power)
         elif power and not clock.going:
             self.start(clock)
             clock.bit = clock.ms >= clock.goal
@@ -566,14 +568,14 @@ class Direct:
         """Begin; the scan that starts a timer adds nothing."""
         clock.going = True
 
-    def off_delay(self, clock: Clock, power: bool) -> None:  # noqa: FBT001
+    def off_delay(self, clock: Clock, *, power: bool) -> None:
         if power:
             clock.bit, clock.ms, clock.going, clock.armed = True, 0, False, True
         elif clock.armed:
             clock.armed = False
             self.start(clock)
 
-    def pulse(self, clock: Clock, power: bool) -> None:  # noqa: FBT001
+    def pulse(self, clock: Clock, *, power: bool) -> None:
         if power and not clock.was and not clock.going:
             clock.bit, clock.ms = True, 0
             self.start(clock)
@@ -698,8 +700,9 @@ class Direct:
         """Exactly one bit is 1; R to step 0; at either end it stays."""
         change = self.counts(sink, pins, "CU") - self.counts(sink, pins, "CD")
         step = 0 if pins.get("R") else min(max(self.word("at") + change, 0), 255)
+        self.bits[f"s{self.word('at')}"] = False
+        self.bits[f"s{step}"] = True
         self.words["at"] = step
-        self.bits |= {f"s{number}": number == step for number in range(256)}
 
     def drum(self, sink: Sink, pins: dict[str, bool]) -> None:
         """R to step 0, U to the next; control bits are written on a change, under R and at cold start."""
@@ -723,17 +726,17 @@ class Direct:
 
 # Which programs there are.
 
-TIMERS = {
+TIMERS: dict[str, dict[str, tuple[int, ...]]] = {
     "s7-200": {"on": (33, 37, 97, 101), "off": (34, 38, 98, 102), "retentive": (1, 5, 65, 69)},
     "fx": {"on": (0, 199, 200, 256), "retentive": (246, 250)},
     "neza": {"on": (0, 1), "off": (2, 3), "pulse": (4, 5)},
 }
 TIMERS["gutta"] = TIMERS["s7-200"]
 MENU = {
-    "s7-200": "coil coil set reset timer timer timer counter counter sum sum clear shift",
-    "gutta": "coil coil set reset timer timer timer counter counter sum sum clear",
-    "fx": "coil coil set reset timer timer timer counter counter counter sum sum clear clear shift",
-    "neza": "coil coil set reset timer timer timer counter counter sum sum shift drum steps queue",
+    "s7-200": "coil coil set reset timer timer timer counter counter sum sum clear clear shift",
+    "gutta": "coil coil set reset timer timer timer counter counter sum sum clear clear",
+    "fx": "coil coil set reset timer timer timer counter counter counter sum sum sum clear clear shift",
+    "neza": "coil coil set reset timer timer timer counter counter sum sum sum shift drum steps queue queue",
 }
 SEVERAL = {"coil", "coil not", "set", "reset", "clear", "sum"}
 
@@ -745,12 +748,14 @@ class Maker:
         self.chance, self.family = chance, family
         self.siemens = family in {"s7-200", "gutta"}
         self.blocks: dict[str, Sink] = {}
-        self.bits = ["i0", "i1", "i2", "i3"] * 3 + ["q0", "q1", "q2", "m0", "m1", "m2", "first"]
+        self.bits = ["i0", "i1", "i2", "i3"] * 2 + ["q0", "q1", "q2", "m0", "m1", "m2", "first"]
         self.words = ["w0", "w1", "w2"]
 
     def program(self) -> Program:
         wanted = [self.chance.choice(MENU[self.family].split()) for _ in range(self.chance.randint(2, 5))]
         self.plan = [self.planned(verb) for verb in wanted]
+        if "queue" in self.blocks:
+            self.plan.insert(self.chance.randint(0, len(self.plan)), Sink("sum", "in", ("in", 7), "add"))
         rungs = tuple(self.rung(sink) for sink in self.plan)
         first = {name: self.start() for name in ("w0", "w1", "w2")} | {
             "p0": self.chance.randint(1, 4),
@@ -759,7 +764,7 @@ class Maker:
         return Program(self.family, rungs, first | self.high_counts())
 
     def start(self) -> int:
-        return self.chance.choice([0, 0, 1, 5, -3, 32766, -32767, self.chance.randint(LOW, HIGH)])
+        return self.chance.choice([0, 1, 5, -3, 32766, 32760, -32767, -32760, self.chance.randint(LOW, HIGH)])
 
     def high_counts(self) -> dict[str, int]:
         """Let a counter now and then begin near its end."""
@@ -817,8 +822,8 @@ class Maker:
     def counter(self) -> Sink:
         if self.siemens:
             number, rule = self.chance.choice([(0, "up"), (1, "down"), (2, "updown"), (3, "updown")])
-            preset: str | int = self.chance.choice([1, 2, 3, "p0", "p1"])
-            return Sink("counter", f"c{number}", (preset,), rule)
+            presets: list[str | int] = [1, 2, 3, "p0", "p1"]
+            return Sink("counter", f"c{number}", (self.chance.choice(presets),), rule)
         if self.family == "fx":
             number, rule = self.chance.choice([(0, "to"), (1, "to"), (200, "ring")])
             fixed: str | int = "p0" if rule == "to" and self.chance.random() < 0.2 else self.chance.randint(1, 3)
@@ -862,7 +867,9 @@ class Maker:
             names = tuple(chosen) or ("R",)
         else:
             names = ("",)
-        return tuple((name, self.node(2, rare=name in {"R", "S", "LD"})) for name in names)
+        quick = {"I": "i0", "O": "i1"} if sink.verb == "queue" and self.chance.random() < 0.7 else {}
+        rare = {"R", "S", "LD"}
+        return tuple((pin, Contact(quick[pin]) if pin in quick else self.node(2, rare=pin in rare)) for pin in names)
 
     def filled(self, sink: Sink) -> Sink:
         """Say on what a coil, a set, a clear or a sum acts."""
@@ -910,7 +917,7 @@ class Maker:
             return Sink("sum", "in", (chance.choice(values),), "move")
         if rule == "move":
             return Sink("sum", target, (chance.choice(values),), rule)
-        left = target if self.siemens or rule in {"next", "last"} else chance.choice(values)
+        left = target if self.siemens or rule in {"next", "last"} or chance.random() < 0.5 else chance.choice(values)
         return Sink("sum", target, (left, chance.choice(values)) if rule in {"add", "sub"} else (left,), rule)
 
     def node(self, depth: int, *, rare: bool = False) -> Node:
@@ -919,8 +926,8 @@ class Maker:
             return Series((Contact(f"i{self.chance.randint(0, 1)}"), Contact("i2"), Contact("i3", "not")))
         dice = self.chance.random()
         if depth and dice < 0.35:
-            kind = self.chance.choice([Series, Parallel])
-            return kind(tuple(self.node(depth - 1) for _ in range(self.chance.randint(2, 3))))
+            parts = tuple(self.node(depth - 1) for _ in range(self.chance.randint(2, 3)))
+            return Series(parts) if self.chance.random() < 0.5 else Parallel(parts)
         return self.compare() if dice > 0.88 else self.contact()
 
     def compare(self) -> Compare:
@@ -929,6 +936,8 @@ class Maker:
         return Compare(self.chance.choice(list(RELATIONS)), left, self.chance.choice(others))
 
     def contact(self) -> Contact:
+        if self.family == "neza" and self.chance.random() < 0.1:
+            return Contact(self.chance.choice(["m0", "m1", "m2"]), self.chance.choice(["rise", "fall"]))
         bit = self.chance.choice(self.bits)
         edges = self.family != "neza" or bit[0] in "im"
         return Contact(bit, self.chance.choice(["", "", "", "not", "rise", "fall"] if edges else ["", "", "not"]))

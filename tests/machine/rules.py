@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from plcteach.check import lint
+from plcteach.check.lint import lint
 from plcteach.machine import run
 from plcteach.machine.scan import warm
 from plcteach.stl import read

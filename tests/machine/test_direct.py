@@ -1,17 +1,20 @@
 """Random programs with timers, counters and words: the machine and a direct evaluator agree at the end of every scan.
 
 The machine runs a family's list; the evaluator (in direct.py) works out the contacts and blocks that the list was written from
-and imports nothing of the package. Every other program is a short walk line by line and then generated source.
+and imports nothing of the package. A program with an odd seed becomes generated source after four scans, so that both ways of
+running are compared.
 """
 
 from __future__ import annotations
 
 import sys
+from dataclasses import replace
+from itertools import islice
 from pathlib import Path
 from random import Random
 
 import pytest
-from hypothesis import HealthCheck, find, given, settings
+from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from plcteach.machine import recorder, run
@@ -34,7 +37,7 @@ def drawn(chance: Random, family: str) -> Drawn:
 
 
 def seeded(family: str, seed: int) -> Drawn:
-    return drawn(Random(f"{family} {seed}"), family)
+    return drawn(Random(f"{family} {seed}"), family)  # noqa: S311
 
 
 def directly(program: Program, scans: Scans, how: type[Direct] = Direct) -> list[list[int]]:
@@ -126,8 +129,8 @@ class LevelCounts(Direct):
 class OffEarly(Direct):
     """An off-delay goes off one scan early."""
 
-    def off_delay(self, clock: Clock, power: bool) -> None:
-        super().off_delay(clock, power)
+    def off_delay(self, clock: Clock, *, power: bool) -> None:
+        super().off_delay(clock, power=power)
         if clock.going and clock.ms + self.dt >= clock.goal:
             clock.bit = clock.going = False
 
@@ -152,8 +155,8 @@ class ContactStays(Direct):
 class FirstEdge(Direct):
     """What is on in the first scan has risen."""
 
-    def between(self, how: str, before: bool | None, now: bool) -> bool:
-        return super().between(how, bool(before), now)
+    def between(self, how: str, *, before: bool | None, now: bool) -> bool:
+        return super().between(how, before=bool(before), now=now)
 
 
 class EdgeByLine(Direct):
@@ -167,16 +170,16 @@ class EdgeByLine(Direct):
 class HoldsAll(Direct):
     """Every on-delay holds its time when its input goes."""
 
-    def time(self, sink: Sink, power: bool) -> None:
+    def time(self, sink: Sink, *, power: bool) -> None:
         if power or self.clocks[sink.target].rule != "on":
-            super().time(sink, power)
+            super().time(sink, power=power)
 
 
 class ForgetsAll(Direct):
     """A retentive timer forgets its time when its input goes."""
 
-    def time(self, sink: Sink, power: bool) -> None:
-        super().time(sink, power)
+    def time(self, sink: Sink, *, power: bool) -> None:
+        super().time(sink, power=power)
         clock = self.clocks[sink.target]
         clock.ms = clock.ms if power or clock.rule != "retentive" else 0
 
@@ -187,10 +190,7 @@ class OtherMoment(Direct):
     def __post_init__(self) -> None:
         super().__post_init__()
         every = {clock.base for clock in self.clocks.values()}
-        self.ways = type(self.ways)(
-            **{name: getattr(self.ways, name) for name in self.ways.__dataclass_fields__ if name != "at_scan_start"},
-            at_scan_start=tuple(every - set(self.ways.at_scan_start)),
-        )
+        self.ways = replace(self.ways, at_scan_start=tuple(every - set(self.ways.at_scan_start)))
 
 
 class OtherSums(Direct):
@@ -199,17 +199,16 @@ class OtherSums(Direct):
     def __post_init__(self) -> None:
         super().__post_init__()
         other = "wraps" if self.ways.outside != "wraps" else "keeps"
-        names = self.ways.__dataclass_fields__
-        self.ways = type(self.ways)(**{name: getattr(self.ways, name) for name in names} | {"outside": other})
+        self.ways = replace(self.ways, outside=other)
 
 
 class PulseAgain(Direct):
     """A pulse that is under way begins anew when its input comes again."""
 
-    def pulse(self, clock: Clock, power: bool) -> None:
+    def pulse(self, clock: Clock, *, power: bool) -> None:
         if power and not clock.was:
             clock.going = False
-        super().pulse(clock, power)
+        super().pulse(clock, power=power)
 
 
 class SetFirst(Direct):
@@ -247,14 +246,7 @@ def told_apart(program: Program, scans: Scans, mutant: type[Direct]) -> bool:
 
 @pytest.mark.parametrize(("mutant", "family"), MUTANTS, ids=lambda one: getattr(one, "__name__", one))
 def test_a_broken_rule_is_found(mutant: type[Direct], family: str) -> None:
-    found = [seed for seed in range(PROGRAMS // 2) if told_apart(*seeded(family, seed), mutant)]
-    assert len(found) >= 3
+    seeds = (seed for seed in range(PROGRAMS) if told_apart(*seeded(family, seed), mutant))
+    found = list(islice(seeds, 3))
+    assert len(found) == 3
     assert disagreement(*seeded(family, found[0]), mutant)
-
-
-def test_a_broken_rule_is_shown_by_a_small_program() -> None:
-    small = settings(
-        max_examples=400, deadline=None, suppress_health_check=list(HealthCheck), derandomize=True, database=None
-    )
-    program, _ = find(some("fx"), lambda one: told_apart(*one, ContactStays), settings=small)
-    assert len(program.rungs) <= 3

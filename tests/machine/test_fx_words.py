@@ -303,7 +303,7 @@ def test_operands_are_read_and_written_in_one_spelling() -> None:
     program = read("LD>= D000 hff\nMOV k-5 k2y010\nDMOV K8M0 C200", "fx")
     assert program.diagnostics == ()
     compare, (value, group), (row, counter) = (line.args for line in program.lines)
-    assert repr(compare[0]) == "D0, HFF"
+    assert repr(compare[0]) == "D0 HFF"
     assert value == Value(-5, "K-5")
     assert isinstance(group, Address)
     assert (group.text, group.size, row.size, counter.size) == ("K2Y10", 8, 32, 32)  # type: ignore[union-attr]

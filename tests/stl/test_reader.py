@@ -394,3 +394,17 @@ def test_any_bytes_at_all_are_read(data: bytes) -> None:
 def test_a_family_that_nobody_knows() -> None:
     with pytest.raises(UnknownNameError, match="s7-200"):
         read("LD I0.0", "s7_20")
+
+
+@pytest.mark.parametrize(
+    ("family", "text", "given"),
+    [
+        ("fx", "MC N0 M100", "MC N0, M100"),
+        ("fx", "LD>= D0 K5", "LD>= D0,K5"),
+        ("fx", "ADD D0 K5 D10", "ADD D0, K5 D10"),
+        ("s7-200", "TON T37, 10", "TON T37 10"),
+        ("gutta", "CTU C0, 3", "CTU C0,3"),
+    ],
+)
+def test_each_family_parts_its_operands_as_its_books_do(family: str, text: str, given: str) -> None:
+    assert [read(f"{one}\n", family).lines[0].text for one in (text, given)] == [text, text]

@@ -116,7 +116,7 @@ def spellings(family: Dialect, operand: Operand) -> list[str]:
     fit = ["1.5"] if kind.real and kind.constant else fit
     if not kind.size:
         fit = whole_blocks(family, operand.kind)
-    return [f"{one}, {one}" for one in fit] if operand.relation else fit
+    return [family.separator.join((one, one)) for one in fit] if operand.relation else fit
 
 
 @lru_cache
@@ -189,7 +189,7 @@ def test_every_instruction_survives_with_every_number_of_operands(name: str) -> 
     family = dialect(name)
     for insn in family.insns:
         for place in (0, -1):
-            said = ", ".join(spellings(family, operand)[place] for operand in insn.operands)
+            said = family.separator.join(spellings(family, operand)[place] for operand in insn.operands)
             text = spelled(insn, said)
             program = read(text, family)
             assert [line.text for line in program.lines] == text.split("\n")
