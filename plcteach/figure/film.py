@@ -139,10 +139,14 @@ class _Maker:
                 "say": opens(scan).as_dict(),
             }
         )
+        self.faced(self.steps[-1], scan.start())
+        self.walk(scan)
+
+    def walk(self, scan: Scan[Column]) -> None:
+        """Add one picture for each step of a scan."""
         heads = {
             sum(len(one.lines) for one in self.program.networks[:at]) for at in range(1, len(self.program.networks))
         }
-        self.faced(self.steps[-1], scan.start())
         self.last = None
         self.kept_keys.clear()
         self.alive.clear()

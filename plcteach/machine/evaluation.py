@@ -119,7 +119,14 @@ class Evaluation(Generic[S]):
         arg = self.line.bound.get(name)
         if isinstance(arg, Compare):
             value: S = self.world.compare(arg)
-        elif isinstance(arg, Address):
+            self.seen.append((arg, value))
+            if not self.world.spells:
+                kind = self.world.dialect.kinds[arg.kind]
+                self.seen += [
+                    (one, self.world.word(one, kind)) for one in (arg.left, arg.right) if isinstance(one, Address)
+                ]
+            return value
+        if isinstance(arg, Address):
             value = self.world.read(self.operand(name), arg)
         else:
             return self.blank

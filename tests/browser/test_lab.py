@@ -97,6 +97,46 @@ def test_axe_finds_nothing_in_the_lab(player: Page) -> None:
     assert axe(player, ".plc-root") == []
 
 
+TIMED = (
+    "trace = plc.run('LD I0.0; TON T37, 5; LD T37; = Q0.0', 'I0.0: 0.2s off, 0.8s on, off', scan_ms=100)",
+    "plc.chart(trace, show='I0.0 T37.V Q0.0')",
+    "plc.face(trace, 'T37', 6)",
+    "plc.play(trace, at=0.4)",
+)
+PICTURES = """(() => [...document.querySelectorAll('.jp-OutputArea-output .jp-RenderedSVG, .jp-OutputArea-output.jp-RenderedSVG')].map((box) => {
+  const image = box.querySelector('img');
+  return {
+    text: image ? decodeURIComponent(image.src.split(',').slice(1).join(',')) : box.innerHTML,
+    width: (image || box.querySelector('svg')).getBoundingClientRect().width,
+  };
+}))()"""
+
+
+def test_a_chart_a_face_and_a_player_with_a_timer_in_the_lab(chromium: Browser, lab: tuple[str, Path]) -> None:
+    address, folder = lab
+    notebook(folder, "timed.ipynb", *TIMED)
+    page = open_notebook(chromium, address, "timed.ipynb")
+    run_all(page)
+    page.wait_for_selector(".plc-block-timer", timeout=60_000)
+    page.wait_for_timeout(800)
+    pictures = page.evaluate(PICTURES)
+    assert len(pictures) == 2, "the chart and the face"
+    chart, face = pictures
+    assert "Q0.0" in chart["text"]
+    assert all(
+        "T37" in one["text"] and one["text"].lstrip().startswith("<svg") and one["width"] > 100 for one in (chart, face)
+    )
+    words = page.locator(".plc-block-timer .plc-gauge-words").first
+    assert "current 1" in " ".join(words.inner_text().split())
+    page.locator(".plc-player").first.focus()
+    for _ in range(2):
+        page.keyboard.press("ArrowRight")
+    page.wait_for_timeout(700)
+    assert "current 2" in " ".join(words.inner_text().split())
+    assert axe(page, ".plc-root") == []
+    page.close()
+
+
 @pytest.fixture
 def bench(chromium: Browser, lab: tuple[str, Path]) -> Iterator[Page]:
     address, folder = lab

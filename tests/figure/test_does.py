@@ -74,7 +74,7 @@ def test_a_counters_pins_are_told_by_their_levels():
         ("ANDW 16#FF, VW2", "VW2 := 0000 0001 0010 1100 AND 0000 0000 1111 1111 = 0000 0000 0010 1100 (44)"),
         ("SLW VW2, 2", "shifted left by 2 = 0000 0100 1011 0000 (1200)"),
         ("ITD VW2, VD10", "VD10 := 300"),
-        ("LDW>= VW2, 301", "VW2 ≥ 301 is false, so 0 is pushed onto the top"),
+        ("LDW>= VW2, 301", "VW2 ≥ 301 is false (VW2 is 300), so 0 is pushed onto the top"),
     ],
 )
 def test_words_are_worked_out_before_the_learners_eyes(line, en):

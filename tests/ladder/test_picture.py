@@ -28,8 +28,7 @@ from plcteach.core.ladder import (
 )
 from plcteach.dialects import dialect as find_dialect
 from plcteach.ladder.lower import lower
-from plcteach.ladder.picture import read_drawing
-from plcteach.ladder.picture import read_line, write_drawing, write_line
+from plcteach.ladder.picture import read_drawing, read_line, write_drawing, write_line
 from plcteach.ladder.telling import is_drawing
 
 sys.path.insert(0, str(Path(__file__).parent))

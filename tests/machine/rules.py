@@ -3,11 +3,17 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
+from unittest.mock import patch
 
 from plcteach.check.lint import lint
-from plcteach.machine import run
+from plcteach.machine import recorder, run
 from plcteach.machine.scan import warm
 from plcteach.stl import read
+
+if TYPE_CHECKING:
+    from plcteach.core.program import Program
+    from plcteach.machine.trace import Trace
 
 
 @dataclass(frozen=True)
@@ -48,7 +54,7 @@ def _number(word: str) -> float:
 
 
 def check(rule: Rule, dialect: str) -> None:
-    """Run a rule's program and compare every address with what was written down."""
+    """Run a rule's program, line by line and as generated source, and compare every address with what was written down."""
     program = read(rule.text.replace(" / ", "\n"), dialect)
     assert program.runs, program.diagnostics
     given, wanted = _columns(rule.given), _columns(rule.wanted)
@@ -57,15 +63,22 @@ def check(rule: Rule, dialect: str) -> None:
         {name: _number(cells[scan]) for name, cells in given.items() if scan < len(cells) and cells[scan] != "."}
         for scan in range(count)
     ]
-    parts = [rows[: rule.off], rows[rule.off :]] if rule.off else [rows]
-    traces = [run(program, parts[0], scan_ms=rule.ms)]
-    if rule.off:
-        traces.append(run(program, parts[1], scan_ms=rule.ms, memory=warm(program, traces[0].memory)))
-    for name, cells in wanted.items():
-        got = [repr(value) for trace in traces for value in trace.values(name)]
-        seen = [one if sign != "." else "." for one, sign in zip(got, cells, strict=False)]
-        assert (name, seen) == (name, cells)
-    assert tuple(one.code for trace in traces for one in trace.diagnostics) == rule.says
+    for patience in (count, 0):
+        with patch.object(recorder, "PATIENCE", patience):
+            traces = _traces(rule, program, rows)
+        for name, cells in wanted.items():
+            got = [repr(value) for trace in traces for value in trace.values(name)]
+            seen = [one if sign != "." else "." for one, sign in zip(got, cells, strict=False)]
+            assert (name, seen) == (name, cells)
+        assert tuple(one.code for trace in traces for one in trace.diagnostics) == rule.says
+
+
+def _traces(rule: Rule, program: Program, rows: list[dict[str, float]]) -> list[Trace]:
+    """Run to the end, or to the power failure and from there on."""
+    first = run(program, rows[: rule.off or None], scan_ms=rule.ms)
+    if not rule.off:
+        return [first]
+    return [first, run(program, rows[rule.off :], scan_ms=rule.ms, memory=warm(program, first.memory))]
 
 
 def said(text: str, dialect: str) -> list[tuple[str, str, int]]:
