@@ -164,6 +164,7 @@ S7_200 = Dialect(
         Area("T", (("0", "255"),), Text("定时器", "timers"), fields={"V": 16}, value="V"),
         Area("C", (("0", "255"),), Text("计数器", "counters"), fields={"V": 16}, value="V"),
         Area("AC", (("0", "3"),), Text("累加器", "accumulators"), size=32),
+        Area("HC", (("0", "5"),), Text("高速计数器", "high-speed counters"), size=32),
         Area("AIW", (("0", "62"),), Text("模拟量输入", "analogue inputs"), role="input", size=16, even=True),
         Area("AQW", (("0", "62"),), Text("模拟量输出", "analogue outputs"), role="output", size=16, even=True),
     ),

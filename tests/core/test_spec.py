@@ -256,4 +256,6 @@ def test_every_instruction_stands_in_an_example_that_can_be_read_and_is_right() 
 
 def test_each_table_is_found_under_its_own_name() -> None:
     assert [dialects.dialect(name).name for name in dialects.names()] == list(dialects.names())
-    assert [family.name for family in dialects.families()] == [name for name in dialects.names() if name != "s7-200-smart"]
+    assert [family.name for family in dialects.families()] == [
+        name for name in dialects.names() if name != "s7-200-smart"
+    ]

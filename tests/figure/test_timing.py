@@ -145,7 +145,7 @@ def test_a_pulse_shorter_than_a_pixel_is_still_seen():
 
 
 def test_thinning_loses_no_high_or_low_that_a_pixel_held():
-    wild = random.Random(3)  # noqa: S311, a test that can be repeated
+    wild = random.Random(3)
     changes = tuple((at, wild.randrange(1_000)) for at in range(0, 60_000, 7))
     scene = chart_scene((Track("VW0", changes, word=True),), 60_000, title=TITLE)
     (line,) = lines(scene)
@@ -200,7 +200,7 @@ def test_scans_are_marked_only_where_they_can_be_seen():
 
 
 def test_no_line_of_a_mark_runs_through_the_words_of_another():
-    wild = random.Random(5)  # noqa: S311, a test that can be repeated
+    wild = random.Random(5)
     for _ in range(60):
         marks = tuple((wild.randrange(0, 14_000), same("word" * wild.randint(1, 4))) for _ in range(wild.randint(2, 6)))
         scene = chart_scene(TOF, 20_000, title=TITLE, marks=marks)

@@ -37,7 +37,7 @@ def drawn(chance: Random, family: str) -> Drawn:
 
 
 def seeded(family: str, seed: int) -> Drawn:
-    return drawn(Random(f"{family} {seed}"), family)  # noqa: S311
+    return drawn(Random(f"{family} {seed}"), family)
 
 
 def directly(program: Program, scans: Scans, how: type[Direct] = Direct) -> list[list[int]]:

@@ -42,7 +42,7 @@ def rung(chance: random.Random) -> list[str]:
 
 def program(seed: int) -> str:
     """Some rungs, some under master controls, some in steps."""
-    chance = random.Random(seed)  # noqa: S311
+    chance = random.Random(seed)
     rows = [row for _ in range(chance.randrange(1, 4)) for row in rung(chance)]
     for depth in range(chance.randrange(3)):
         rows += [f"LD X{depth}", f"MC N{depth} M{100 + depth}", *rung(chance)]
@@ -56,7 +56,7 @@ def program(seed: int) -> str:
 
 
 def timeline(seed: int, scans: int) -> list[dict[str, int]]:
-    chance = random.Random(seed)  # noqa: S311
+    chance = random.Random(seed)
     return [{f"X{place}": int(chance.random() < 0.4) for place in range(4)} for _ in range(scans)]
 
 
