@@ -61,9 +61,13 @@ TERMS = {
         "逻辑堆栈 层 栈顶 栈底 入栈 后进先出 电路块 电路块并联 电路块串联 分支点 逻辑入栈 逻辑读栈 逻辑出栈 装载堆栈 运算结果寄存器 "
         "指令表 栈内残留值"
     ),
-    "02-the-scan-and-why-order-matters.ipynb": "扫描周期 过程映像 网络 双线圈输出",
-    "03-edges-set-reset-and-double-coils.ipynb": "上升沿 置位 复位 触发器 双线圈输出",
-    "04-timers-and-their-resolutions.ipynb": "定时器 时基 预设值 当前值 时序图",
+    "02-the-scan-and-why-order-matters.ipynb": "扫描周期 过程映像 时序图 双线圈输出 特殊存储器位 网络",
+    "03-edges-set-reset-and-double-coils.ipynb": (
+        "上升沿 下降沿 脉冲生成指令 取反 置位 复位 触发器 置位优先 复位优先 双线圈输出"
+    ),
+    "04-timers-and-their-resolutions.ipynb": (
+        "预设值 当前值 时基 接通延时 断开延时 有记忆接通延时 脉冲定时器 积算定时器 脉冲发生电路"
+    ),
     "05-counters.ipynb": "加计数器 减计数器 加减计数器 当前值 预设值 上升沿 复位 上溢出 下溢出",
     "06-drums-shift-registers-step-counters-and-queues.ipynb": (
         "鼓形控制器 步 控制位 移位寄存器 步进计数器 先进先出 后进先出 行程开关 电磁阀 原位 上升沿"
