@@ -344,7 +344,7 @@ _ROWS = (
         "error",
         Text(
             "{word}要用{wanted}个值，本{unit}放进堆栈的只有{found}个。缺的那一块该由哪条{load}开始？",
-            "{word} wants {wanted} on the stack, and this {unit} has put there only {found}. Which {load} should begin the missing block?",
+            "{word} needs {wanted} values, but this {unit} has put only {found} on the stack. Which {load} should begin the missing block?",
         ),
         Text(
             "n个电路块只需要n－1条连接指令；多一条，就会去拿堆栈里不存在的块。",
