@@ -23,7 +23,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from plcteach.check.pair import MOST_SETTLING_SCANS, Key, Machine, Pair, either, pair_of
-from plcteach.check.tried import beyond_bits, tried
+from plcteach.check.tried import LASTING, beyond_bits, tried
 from plcteach.core.diagnostic import Diagnostic, rule
 from plcteach.core.source import Span
 from plcteach.core.verdict import Counterexample, Proof, Status, Verdict
@@ -50,6 +50,8 @@ def compare(reference: Program, student: Program, *, outputs: Iterable[str] = ()
     "either" takes what is right at one of the two, and says where it reacts later.
     """
     pair = pair_of(reference, student, tuple(outputs))
+    if beyond_bits(reference) or beyond_bits(student):
+        return _tried(pair, level)
     if level == "settled":
         return replace(_judged(replace(pair, settled=True)), level=level)
     verdict = _judged(pair)
@@ -63,18 +65,30 @@ def compare(reference: Program, student: Program, *, outputs: Iterable[str] = ()
 
 def _judged(pair: Pair) -> Verdict:
     reference, student = pair.reference.program, pair.student.program
-    if _instructions(reference) == _instructions(student) and reference.settings == student.settings:
+    if _same_text(reference, student):
         return Verdict("equal", "structural", outputs=dict.fromkeys(pair.outputs, "equal"), diagnostics=_beside(pair))
     if max(len(reference.lines), len(student.lines)) > MOST_INSTRUCTIONS or len(pair.inputs) > MOST_VARIABLES:
         return Verdict("unknown", outputs=dict.fromkeys(pair.outputs, "unknown"), diagnostics=_beside(pair))
-    if beyond_bits(reference) or beyond_bits(student):
-        return tried((reference, student), pair.inputs, pair.outputs, _beside(pair))
     at_first, after = _first_scan(pair)
     agreed = at_first & _induction(pair, after)
     if len(agreed) == len(pair.outputs):
         proof: Proof = "induction" if pair.state else "table"
         return Verdict("equal", proof, None, dict.fromkeys(pair.outputs, "equal"), _beside(pair), 1)
     return _search(pair, agreed)
+
+
+def _same_text(reference: Program, student: Program) -> bool:
+    return _instructions(reference) == _instructions(student) and reference.settings == student.settings
+
+
+def _tried(pair: Pair, level: str) -> Verdict:
+    """Try two programs with time or words in them; exactly, or so that only a difference that lasts counts."""
+    reference, student = pair.reference.program, pair.student.program
+    if _same_text(reference, student):
+        return Verdict("equal", "structural", outputs=dict.fromkeys(pair.outputs, "equal"), diagnostics=_beside(pair))
+    lasting = 1 if level == "exact" else LASTING
+    verdict = tried((reference, student), pair.inputs, pair.outputs, _beside(pair), lasting=lasting)
+    return replace(verdict, level="settled") if level == "settled" else verdict
 
 
 def _instructions(program: Program) -> list[list[tuple[str, str]]]:

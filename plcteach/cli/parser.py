@@ -38,7 +38,7 @@ def parser_of_all() -> argparse.ArgumentParser:
 
 
 _INPUTS = (
-    'JSON, a list with one object a scan: [{"I0.0": 1, "ms": 10}, {}], where an input not named keeps its value; '
+    'a file, or the text itself: JSON, a list with one object a scan: [{"I0.0": 1, "ms": 10}, {}], where an input not named keeps its value; '
     "or a timeline: I0.0: 1s off, 0.2s on, off"
 )
 

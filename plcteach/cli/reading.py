@@ -72,7 +72,9 @@ def scans_of(name: str | None, program: Program, scan_ms: int = SCAN_MS) -> list
     """Read the inputs: a JSON list with one object a scan, or a timeline; CallError says what they should look like."""
     if name is None:
         return [{}]
-    content = _content(name)
+    typed = ":" in name and not Path(name).is_file()
+    content = name.encode() if typed else _content(name)
+    name = "--inputs" if typed else name
     if content.lstrip()[:1] not in {b"[", b"{", b""}:
         return _timeline_of(name, decode(content), program, scan_ms)
     try:

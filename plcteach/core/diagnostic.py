@@ -168,7 +168,7 @@ _ROWS = (
         "error",
         Text(
             "没有{word}这个地址：{area}的范围是{first}–{last}。{note}",
-            "There is no {word}: {area} goes from {first} to {last}. {note}",
+            "There is no {word} ({area}: {first} to {last}). {note}",
         ),
         Text(
             "每个区域的点数是固定的；FX的X、Y按八进制编号，X7之后是X10。",
@@ -518,6 +518,20 @@ _ROWS = (
             "复合输出指令读取几路能流而不出栈，它们还留在数据栈上，后面的指令会错用它们。",
             "A compound output reads several flows and pops none; they stay on the data stack, where what follows would misuse them.",
         ),
+    ),
+    Rule(
+        "STK014",
+        "used-input",
+        "warning",
+        Text(
+            "{word}的{pin}用的是第{row}行装载的值，而那个值已经有输出用过了。是不是少装载了一个输入？",
+            "{word} takes for {pin} the value that row {row} loaded, and an output has used it already. Was a load for one of its inputs forgotten?",
+        ),
+        Text(
+            "计数器每个输入要先各装载一个值，最后装载的在栈顶；少装载一个，它就拿到前面剩下的值。",
+            "Each input of a counter wants a value of its own, loaded before it, the last one on top; with one too few it takes what an earlier line has left.",
+        ),
+        (3,),
     ),
     Rule(
         "CHK003",

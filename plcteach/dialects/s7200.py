@@ -75,7 +75,7 @@ INSTRUCTIONS = (
     insn("CTU", "C:counter PV:preset", "CU R -- CU R", then=drive("up", "C", "CU=CU R=R", "PV"), zh="增计数器", en="up counter"),
     insn("CTD", "C:counter PV:preset", "CD LD -- CD LD", then=drive("down", "C", "CD=CD LD=LD", "PV"), zh="减计数器", en="down counter"),
     insn(
-        "CTUD", "C:counter PV:preset", "CU CD R -- CU CD R", then=drive("updown", "C", "CU=CU CD=CD R=R", "PV"),
+        "CTUD", "C:counter PV:word", "CU CD R -- CU CD R", then=drive("updown", "C", "CU=CU CD=CD R=R", "PV"),
         zh="增减计数器", en="up-down counter",
     ),
     # two words compared read as a contact
@@ -284,6 +284,7 @@ S7_200 = Dialect(
         Sample("STK007", "LD I0.0; LD I0.1; OLD; = Q0.0", "LD I0.0; O I0.1; = Q0.0"),
         Sample("STK008", "LD I0.0; LD I0.1; ALD; = Q0.0", "LD I0.0; A I0.1; = Q0.0"),
         Sample("STK009", "Network 1\nLD I0.0; = Q0.0\nNetwork 2\nA I0.1; = Q0.1", "Network 1\nLD I0.0; = Q0.0\nNetwork 2\nLD I0.1; = Q0.1"),
+        Sample("STK014", "LD I0.0; = Q0.0; LD I0.1; CTU C0, 5; LD C0; = Q0.1", "LD I0.0; = Q0.0; LD I0.1; LD I0.2; CTU C0, 5; LD C0; = Q0.1"),
         Sample("STK010", "LD I0.0; LPS; A I0.1; LRD; A I0.2; OLD; = Q0.0", "LD I0.0; LD I0.1; O I0.2; ALD; = Q0.0"),
         Sample("JMP005", "LD SM0.0; FOR VW0, 1, 5; LD SM0.0; INCW VW2", "LD SM0.0; FOR VW0, 1, 5; LD SM0.0; INCW VW2; NEXT"),
         Sample(

@@ -152,6 +152,12 @@ class Vector(Generic[S]):
         """Multiply by a number known beforehand: shifted copies, added."""
         if factor < 0:
             return Vector((self.zero,), self.zero) - self.times(-factor)
+        if all(sign == self.zero for sign in self.signs):
+            return self
+        one = ~self.zero
+        if all(sign in (self.zero, one) for sign in self.signs):
+            digits = "".join("1" if sign == one else "0" for sign in reversed(self.signs))
+            return constant(wrapped(int(digits, 2), len(digits)) * factor, self.zero)
         total = Vector((self.zero,), self.zero)
         for shift in range(factor.bit_length()):
             if factor >> shift & 1:

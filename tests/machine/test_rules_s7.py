@@ -158,7 +158,7 @@ def test_a_rule_of_the_s7_200(rule: Rule) -> None:
         ("LD I0.0/JMP 3", ("error", "JMP001", 2)),
         ("LD I0.0/HSC 0", ("error", "RDR002", 2)),
         ("LDS= VB0, VB10/= Q0.0", ("error", "RDR002", 1)),
-        ("LDD= HC0, 5/= Q0.0", ("error", "RDR005", 1)),  # high-speed counters are not run
+        ("LDD= HC0, 5/= Q0.0", ("error", "RDR007", 1)),  # high-speed counters are not run
     ],
 )  # fmt: skip
 def test_what_the_s7_200_does_not_take(text: str, wanted: tuple[str, str, int]) -> None:

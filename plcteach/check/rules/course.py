@@ -42,9 +42,15 @@ def no_such_place(program: Program, row: Rule) -> Iterator[Diagnostic]:
     for block, line in _lines(program):
         jumps, calls = _named(line, "jump"), _named(line, "call")
         if jumps and (block, jumps) not in labels:
-            yield row.at(line.span, word=line.text, name=jumps)
+            yield row.at(line.span, word=line.text, name=_label(program, jumps))
         if calls and calls not in routines:
             yield row.at(line.span, word=line.text, name=calls)
+
+
+def _label(program: Program, name: str) -> str:
+    """Spell a label as its own line would."""
+    rows = [row for row in program.dialect.insns if any(verb.name == "label" for verb in row.then)]
+    return name if not name.isdigit() or not rows else f"{rows[0].word} {name}"
 
 
 @finds("JMP002", PROGRAM_RULES)

@@ -154,6 +154,19 @@ def after_compound_output(walk: Walk, row: Rule) -> Iterator[Diagnostic]:
             return
 
 
+@finds("STK014", STACK_RULES)
+def used_input(walk: Walk, row: Rule) -> Iterator[Diagnostic]:
+    """A block of several inputs takes below the top a value that an output has already used."""
+    for move in walk.moves:
+        for verb in move.line.insn.then:
+            for pin, formula in verb.pins if len(verb.pins) > 1 else ():
+                name = formula.name if isinstance(formula, Name) else ""
+                cell = move.taken.get(name)
+                below = name in move.flow.named and move.flow.named[name][1] > 0
+                if below and cell and cell.line and cell.spent:
+                    yield row.at(move.line.span, word=move.line.text, pin=pin, row=_row(cell))
+
+
 @finds("STK010", STACK_RULES)
 def value_dropped(walk: Walk, row: Rule) -> Iterator[Diagnostic]:
     """A value is thrown away before anything has used it; the cell that a pop overwrites on purpose is no loss."""

@@ -1,0 +1,47 @@
+"""Programs with time or words in them are tried side by side: what differs is shown, and what is only tried is never called equal."""
+
+from __future__ import annotations
+
+import pytest
+
+from plcteach.check.same import compare
+from plcteach.machine import run
+from plcteach.stl import read
+
+LAMP = "LD I0.0; TON T37, {}; LD T37; = Q0.0"
+LATE = "LD M0.0; = Q0.0; LD I0.0; TON T37, 5; LD T37; = M0.0"
+SOON = "LD I0.0; TON T37, 5; LD T37; = M0.0; LD M0.0; = Q0.0"
+
+
+@pytest.mark.parametrize("level", ["exact", "either"])
+def test_one_tick_more_is_found_and_can_be_replayed(level: str) -> None:
+    reference, student = read(LAMP.format(49)), read(LAMP.format(50))
+    verdict = compare(reference, student, level=level)
+    assert verdict.status == "different"
+    example = verdict.counterexample
+    assert example is not None
+    ends = [repr(run(one, example.inputs).value("Q0.0", example.scan)) for one in (reference, student)]
+    assert ends == [example.expected[-1]["Q0.0"], example.got[-1]["Q0.0"]] == ["1", "0"]
+
+
+def test_the_same_text_is_equal_and_another_number_is_not_called_so() -> None:
+    assert compare(read(LAMP.format(5)), read(LAMP.format(5))).proof == "structural"
+    other = compare(read(LAMP.format(5)), read(LAMP.format(5).replace("T37", "T38")))
+    assert (other.status, other.proof) == ("unknown", None)
+    assert other.explored > 10_000
+
+
+def test_a_scan_later_is_a_difference_only_at_the_level_exact() -> None:
+    assert compare(read(SOON), read(LATE), level="exact").status == "different"
+    assert compare(read(SOON), read(LATE), level="either").status == "unknown"
+
+
+def test_another_configuration_is_another_program() -> None:
+    text = "%TM0: TYPE={} TB=100ms P=5\nLD %I0.0\nIN %TM0\nLD %TM0.Q\nST %Q0.0"
+    assert compare(read(text.format("TON"), "neza"), read(text.format("TOF"), "neza")).status == "different"
+
+
+def test_a_program_that_never_ends_its_scan_is_not_tried_for_long() -> None:
+    endless = read("LBL 1; LD SM0.0; JMP 1; LD I0.0; = Q0.0")
+    verdict = compare(endless, read("LBL 1; LD SM0.0; JMP 1; LDN I0.0; = Q0.0"))
+    assert (verdict.status, verdict.explored) == ("unknown", 1)
