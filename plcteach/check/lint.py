@@ -53,9 +53,10 @@ def lint(program: Program | str, dialect: str | Dialect | None = None) -> Findin
     found += _other_family(program)
     unread = {one.span.row for one in errors(program.diagnostics)}
     judged = [] if _TOO_LONG & {one.code for one in found} else [one for one in program.networks if one.lines]
-    starts = [0, *(network.lines[0].span.row for network in judged[1:]), _BELOW_ALL]
-    for network, start, end in zip(judged, starts, starts[1:], strict=False):
-        if not any(start <= row < end for row in unread):
+    starts = [0, *(network.lines[-1].span.row + 1 for network in judged[:-1])]
+    ends = [*(network.lines[0].span.row for network in judged[1:]), _BELOW_ALL]
+    for network, start, end in zip(judged, starts, ends, strict=False):
+        if not any(start <= row < max(end, start + 1) for row in unread):
             found += _of_network(walk(program.dialect, network))
     return Findings(few(sorted(found, key=lambda one: (one.span.row, one.span.start, one.code))))
 

@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
 
     from plcteach.core.spec import Dialect
+    from plcteach.stl.symbols import Symbols
 
 _NO_PROGRAMS = re.compile(
     r"bmp|css|docx?|exe|gif|html?|ini|ipynb|jpe?g|js|json|md|mp4|pdf|png|pptx?|pyc?|rst|svg|toml|xlsx?|ya?ml|zip"
@@ -42,7 +43,9 @@ class Linted:
     other: Text = NOTHING
 
 
-def lint_files(folder: Path, family: Dialect, encoding: str | None = None) -> Iterator[Linted]:
+def lint_files(
+    folder: Path, family: Dialect, encoding: str | None = None, symbols: Symbols | None = None
+) -> Iterator[Linted]:
     """Lint one file after the other in order of name, behind a progress bar where a person sits at the terminal."""
     from tqdm import tqdm
 
@@ -50,7 +53,7 @@ def lint_files(folder: Path, family: Dialect, encoding: str | None = None) -> It
     files = sorted(_files(folder, unread))
     with tqdm(files, file=sys.stderr, disable=None, leave=False, unit="") as bar:
         for path in bar:
-            yield _linted(path, path.relative_to(folder).as_posix(), family, encoding)
+            yield _linted(path, path.relative_to(folder).as_posix(), (family, symbols), encoding)
     for trouble in unread:
         name = Path(os.fsdecode(trouble.filename or folder)).relative_to(folder).as_posix()
         yield Linted(name, Program(family, ()), (_unread(trouble),))
@@ -66,25 +69,31 @@ def _files(folder: Path, unread: list[OSError]) -> Iterator[Path]:
                 yield path
 
 
-def _linted(path: Path, name: str, family: Dialect, encoding: str | None) -> Linted:
+def _linted(path: Path, name: str, how: tuple[Dialect, Symbols | None], encoding: str | None) -> Linted:
+    family, symbols = how
     nothing = Program(family, ())
     try:
         with path.open("rb") as file:
             data = file.read(_MOST_BYTES)
     except OSError as trouble:
         return Linted(name, nothing, (_unread(trouble),))
-    if b"\0" in data[:_ENOUGH_BYTES] and not data.startswith(_MARKS):
+    if no_text(data):
         return Linted(name, nothing, (rule("FIL002").at(Span(1)),))
     text = decode(data, encoding)
     if is_symbols(text):
         return Linted(name, Program(family, (), source=text), read_symbols(text).diagnostics)
     try:
-        program = read_either(text, family)
+        program = read_either(text, family, symbols)
     except NotRepresentableError as refused:
         told = rule("FIL003").at(Span(1), list=family.list, family=family.title, reason=refused.reason)
         return Linted(name, nothing, (told,))
     found = lint(program)
     return Linted(name, program if found else nothing, found, _other(found, family))
+
+
+def no_text(data: bytes) -> bool:
+    """Say whether bytes are not the text of a program, as those of a project file are not."""
+    return b"\0" in data[:_ENOUGH_BYTES] and not data.startswith(_MARKS)
 
 
 def _unread(trouble: OSError) -> Diagnostic:

@@ -26,6 +26,12 @@ def say(zh: str, en: str) -> str:
     return Text(zh, en).in_(language())
 
 
+def say_empty(program: Program) -> None:
+    """Say so where a text holds no instruction and nothing else was said of it."""
+    if not program.lines and not program.diagnostics:
+        print(say("这里面没有指令。第一条应是什么？", "There is no instruction in it. What should the first one be?"))
+
+
 def print_json(value: object) -> None:
     """Print one JSON value on one line."""
     text = json.dumps(value, ensure_ascii=False)

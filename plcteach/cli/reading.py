@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import json
+import re
 import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from plcteach.cli.folder import no_text
 from plcteach.core.area import Address
-from plcteach.core.diagnostic import errors
-from plcteach.core.source import decode
+from plcteach.core.diagnostic import errors, rule
+from plcteach.core.program import Program
+from plcteach.core.source import Span, decode
 from plcteach.core.text import language
 from plcteach.dialects import dialect as find_dialect
 from plcteach.dialects import names
@@ -21,7 +24,6 @@ from plcteach.stl.symbols import read_symbols
 if TYPE_CHECKING:
     import argparse
 
-    from plcteach.core.program import Program
     from plcteach.core.spec import Dialect
     from plcteach.stl.symbols import Symbols
 
@@ -34,7 +36,7 @@ def _content(name: str) -> bytes:
     if name == "-":
         return sys.stdin.buffer.read()
     path = Path(name)
-    if not path.is_file():
+    if not path.exists() or path.is_dir():
         msg = f"there is no file {name}"
         raise CallError(msg)
     return path.read_bytes()
@@ -52,10 +54,14 @@ def family_of(options: argparse.Namespace) -> Dialect:
 
 def program_of(name: str, options: argparse.Namespace) -> Program:
     """Read a program file, or lower a ladder drawing, in the family that the caller chose."""
-    return read_either(text_of(name, options), family_of(options), _symbols_of(options))
+    data = _content(name)
+    if no_text(data):
+        family = family_of(options)
+        return Program(family, (), diagnostics=(rule("FIL002").at(Span(1)),))
+    return read_either(decode(data, options.encoding), family_of(options), symbols_of(options))
 
 
-def _symbols_of(options: argparse.Namespace) -> Symbols | None:
+def symbols_of(options: argparse.Namespace) -> Symbols | None:
     """Read the symbol table that the caller named."""
     name = getattr(options, "symbols", None)
     if not name:
@@ -68,15 +74,19 @@ def _symbols_of(options: argparse.Namespace) -> Symbols | None:
     return table
 
 
-def scans_of(name: str | None, program: Program, scan_ms: int = SCAN_MS) -> list[dict[str, Any]]:
-    """Read the inputs: a JSON list with one object a scan, or a timeline; CallError says what they should look like."""
+def scans_of(name: str | None, program: Program, options: argparse.Namespace) -> list[dict[str, Any]]:
+    """Read the inputs: a JSON list with one object a scan, or a timeline; CallError says what they should look like.
+
+    A name from the symbol table may stand for its address.
+    """
     if name is None:
         return [{}]
-    typed = ":" in name and not Path(name).is_file()
+    scan_ms, table = getattr(options, "scan_ms", SCAN_MS), symbols_of(options)
+    typed = ":" in name and not Path(name).exists()
     content = name.encode() if typed else _content(name)
     name = "--inputs" if typed else name
     if content.lstrip()[:1] not in {b"[", b"{", b""}:
-        return _timeline_of(name, decode(content), program, scan_ms)
+        return _timeline_of(name, _plain(decode(content), table), program, scan_ms)
     try:
         rows = json.loads(content)
     except (ValueError, RecursionError) as trouble:
@@ -85,10 +95,24 @@ def scans_of(name: str | None, program: Program, scan_ms: int = SCAN_MS) -> list
     if not isinstance(rows, list) or not all(isinstance(row, dict) for row in rows):
         msg = f'{name}: expected a list with one object a scan, such as [{{"I0.0": 1}}, {{}}]'
         raise CallError(msg)
+    rows = [{_address(key, table): value for key, value in row.items()} for row in rows]
     for row in rows:
         for address, value in row.items():
             _check(name, address, value, program)
     return rows
+
+
+def _address(word: str, table: Symbols | None) -> str:
+    """Give the address that a name of the symbol table stands for, and any other word as it is."""
+    return (table.find(word) if table else None) or word
+
+
+def _plain(text: str, table: Symbols | None) -> str:
+    """Put the addresses for the names before the colons of a timeline."""
+    return _ROW.sub(lambda match: match[1] + _address(match[2].strip(), table) + ":", text) if table else text
+
+
+_ROW = re.compile(r"(^|[;；\n]\s*)([^:：;；\n]+)[:：]")
 
 
 def _check(name: str, address: str, value: object, program: Program) -> None:
@@ -119,8 +143,9 @@ def _timeline_of(name: str, text: str, program: Program, scan_ms: int) -> list[d
     return list(found.scans())
 
 
-def watched_of(names_given: str | None, program: Program) -> list[str]:
-    """Give the addresses to print: those asked for, else all outputs."""
+def watched_of(names_given: str | None, program: Program, options: argparse.Namespace) -> dict[str, str]:
+    """Give the addresses to print, by the names as typed: those asked for, else all outputs."""
     if names_given:
-        return [name.strip() for name in names_given.split(",") if name.strip()]
-    return [address.text for address in program.addresses("output")]
+        table = symbols_of(options)
+        return {name.strip(): _address(name.strip(), table) for name in names_given.split(",") if name.strip()}
+    return {address.text: address.text for address in program.addresses("output")}

@@ -16,9 +16,10 @@ from plcteach.cli.printing import (
     print_table,
     print_verdict,
     say,
+    say_empty,
     verdict_json,
 )
-from plcteach.cli.reading import CallError, family_of, program_of, scans_of, text_of, watched_of
+from plcteach.cli.reading import CallError, family_of, program_of, scans_of, symbols_of, text_of, watched_of
 from plcteach.core.diagnostic import errors
 from plcteach.core.text import language, same
 from plcteach.exercises import exercise
@@ -42,10 +43,11 @@ def run_verb(options: argparse.Namespace) -> int:
             print_json({"diagnostics": [finding_json(one) for one in found]})
         else:
             print_findings(found, program)
+            say_empty(program)
         return WRONG
-    trace = run(program, scans_of(options.inputs, program, options.scan_ms), scan_ms=options.scan_ms)
-    watched = watched_of(options.watch, program)
-    columns = {name: trace.values(name) for name in watched}
+    trace = run(program, scans_of(options.inputs, program, options), scan_ms=options.scan_ms)
+    watched = watched_of(options.watch, program, options)
+    columns = {name: trace.values(address) for name, address in watched.items()}
     rows = [{name: plain(repr(values[scan])) for name, values in columns.items()} for scan in range(len(trace.starts))]
     if options.json and errors(trace.diagnostics):
         print_json({"diagnostics": [finding_json(one) for one in trace.diagnostics]})
@@ -76,7 +78,7 @@ def lint_verb(options: argparse.Namespace) -> int:
 def _lint_folder(folder: Path, options: argparse.Namespace) -> int:
     from plcteach.cli.folder import lint_files
 
-    files = list(lint_files(folder, family_of(options), options.encoding))
+    files = list(lint_files(folder, family_of(options), options.encoding, symbols_of(options)))
     if options.json:
         print_json({one.name: [finding_json(each) for each in one.found] for one in files})
     else:
@@ -115,8 +117,8 @@ def chart_verb(options: argparse.Namespace) -> int:
     program = _sound(options)
     if program is None:
         return WRONG
-    trace = run(program, scans_of(options.inputs, program, options.scan_ms), scan_ms=options.scan_ms)
-    shown = watched_of(options.watch, program) if options.watch else []
+    trace = run(program, scans_of(options.inputs, program, options), scan_ms=options.scan_ms)
+    shown = watched_of(options.watch, program, options).values() if options.watch else ()
     return _drawn(chart_of(trace, shown), options)
 
 
@@ -164,6 +166,7 @@ def _sound(options: argparse.Namespace) -> Program | None:
     if not errors(found) and program.lines:
         return program
     print_findings(found, program)
+    say_empty(program)
     return None
 
 
@@ -177,7 +180,7 @@ def play_verb(options: argparse.Namespace) -> int:
     if program is None:
         return WRONG
     name = Path(options.file).name if options.file != "-" else ""
-    scans = scans_of(options.inputs, program) if options.inputs else [telling_inputs(program)]
+    scans = scans_of(options.inputs, program, options) if options.inputs else [telling_inputs(program)]
     shot = film_of(run(program, scans), at=options.at, scans=options.scans, title=same(name) if name else None)
     options.output.write_text(player_page(shot), encoding="utf-8")
     print(options.output)
@@ -195,7 +198,7 @@ def sheet_verb(options: argparse.Namespace) -> int:
     program = _sound(options)
     if program is None:
         return WRONG
-    inputs: dict[str, int] | None = dict(*scans_of(options.inputs, program)[:1]) if options.inputs else None
+    inputs: dict[str, int] | None = dict(*scans_of(options.inputs, program, options)[:1]) if options.inputs else None
     save_pages(sheet(program, key=options.key, inputs=inputs), options.output, language())
     print(options.output)
     return RIGHT

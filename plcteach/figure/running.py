@@ -47,7 +47,7 @@ def refuse(found: Sequence[Diagnostic]) -> None:
 
 def run(
     text: str | Program,
-    scans: str | Iterable[Mapping[str, Any]] | int = 1,
+    scans: str | Iterable[Mapping[str, Any]] | Mapping[str, Any] | int = 1,
     dialect: str | Dialect | None = None,
     *,
     scan_ms: int = SCAN_MS,

@@ -6,7 +6,7 @@ from bisect import bisect_left
 from typing import TYPE_CHECKING, Any
 
 from plcteach.core.diagnostic import errors
-from plcteach.core.errors import UnknownNameError
+from plcteach.core.errors import PlcTeachError, UnknownNameError
 from plcteach.figure.charts import chart_of
 from plcteach.figure.face_scene import face_scene
 from plcteach.figure.faces import Blocks
@@ -37,6 +37,9 @@ def chart(
     width: float = 720,
 ) -> Figure:
     """Draw the timing chart of a run, or of a program over a timeline; `show`: the addresses, "I0.0 T37.V Q0.0"."""
+    if isinstance(text, Trace) and inputs != 1:
+        msg = "a run has its inputs already: draw the run, or give the program and the inputs"
+        raise PlcTeachError(msg)
     trace = text if isinstance(text, Trace) else run(text, inputs, dialect, scan_ms=scan_ms)
     names_shown = show.replace(",", " ").split() if isinstance(show, str) else show
     return Figure(chart_of(trace, names_shown, width=width))
@@ -44,6 +47,9 @@ def chart(
 
 def face(trace: Trace, block: str, scan: int = -1) -> Figure:
     """Draw what one function block shows at the end of a scan: `face(trace, "T37")`."""
+    if not -len(trace.starts) <= scan < len(trace.starts):
+        msg = f"this run has {len(trace.starts)} scans, counted from 0, and none with the number {scan}"
+        raise PlcTeachError(msg)
     blocks, last = Blocks(trace.program), trace.scans[scan]
     store = last.start()
     for step, plant in last.walk():
@@ -96,6 +102,9 @@ def film_of(
     else:
         rows = [dict(inputs)] if hasattr(inputs, "keys") else [dict(row) for row in inputs or [{}]]  # type: ignore[arg-type]
         trace = run_program(program_of(text, dialect), rows)
+    if not 0 <= at * 1000 <= max(trace.starts[-1:], default=0) or (scans is not None and scans < 1):
+        msg = f"this run lasts {trace.starts[-1] / 1000 if trace.starts else 0:g} s; at={at:g} and scans={scans} show nothing of it"
+        raise PlcTeachError(msg)
     first = min(bisect_left(trace.starts, round(at * 1000)), len(trace.starts) - 1)
     last = len(trace.starts) if scans is None else first + max(1, scans)
     return film((trace.scans[number] for number in range(first, min(last, len(trace.starts)))), title)

@@ -10,6 +10,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from plcteach.core.diagnostic import Diagnostic, rule
+from plcteach.core.errors import PlcTeachError
 from plcteach.machine.blocks import AT_END
 from plcteach.machine.generated import Generated, Unsure, bit_of
 from plcteach.machine.signals import ONE, ZERO
@@ -30,6 +31,14 @@ PATIENCE = 24
 """So many scans run line by line before a program is written down; a short run never is."""
 
 _BITS = {0: ZERO, 1: ONE}
+
+
+def lapse(ms: object) -> int:
+    """Give the time between two scans; PlcTeachError where it is no whole number of ms, or less than none."""
+    if not isinstance(ms, int) or ms < 0:
+        msg = f"a scan lasts a whole number of ms, 0 or more, and not {ms!r}"
+        raise PlcTeachError(msg)
+    return ms
 
 
 class Recorder:
@@ -59,7 +68,7 @@ class Recorder:
     def scan(self, row: Mapping[str, Any]) -> None:
         """Run one scan."""
         number = len(self.starts)
-        ms = int(row.get("ms", self.scan_ms)) if number or self.state.scans else 0
+        ms = lapse(row.get("ms", self.scan_ms)) if number or self.state.scans else 0
         self.first_ms = self.first_ms if number else ms
         self.starts.append(self.starts[-1] + ms if number else 0)
         same = not row or (len(row) == 1 and "ms" in row)

@@ -6,17 +6,18 @@ scans of a long run a program becomes one generated function, as long as nothing
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 from plcteach.core.area import Address
-from plcteach.machine.recorder import Recorder
+from plcteach.machine.recorder import Recorder, lapse
 from plcteach.machine.store import Memory
 from plcteach.machine.sweep import address_of, normal, spread, sweep
 from plcteach.machine.trace import SCAN_MS, Scan, Trace
 from plcteach.machine.words import BITS, Domain
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Mapping
+    from collections.abc import Iterable
 
     from plcteach.core.program import Program
     from plcteach.machine.signals import Column
@@ -57,19 +58,20 @@ def warm(program: Program, memory: Memory[Column]) -> Memory[Column]:
 
 def run(
     program: Program,
-    scans: Iterable[Mapping[str, Any]] | int = 1,
+    scans: Iterable[Mapping[str, Any]] | Mapping[str, Any] | int = 1,
     *,
     scan_ms: int = SCAN_MS,
     memory: Memory[Column] | None = None,
 ) -> Trace:
-    """Run a program, one scan for each mapping of inputs {address: value}, or that many scans with all inputs 0.
+    """Run a program, one scan for each mapping of inputs {address: value} (or the one mapping), or that many scans with all inputs 0.
 
     Inputs start at 0 and keep their value until they are named again; any other address is written once, when it is named.
     "ms" in a mapping is the time since the scan before; the first scan begins at 0. A runaway loop ends the run.
     UnknownNameError names an address that the family does not have.
     """
-    recorder = Recorder(program, memory or Memory(), scan_ms)
-    rows: Iterable[Mapping[str, Any]] = ({} for _ in range(scans)) if isinstance(scans, int) else scans
+    recorder = Recorder(program, memory or Memory(), lapse(scan_ms))
+    given = [scans] if isinstance(scans, Mapping) else scans
+    rows: Iterable[Mapping[str, Any]] = ({} for _ in range(given)) if isinstance(given, int) else given
     for row in rows:
         recorder.scan(row)
         if recorder.ran_away:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any, TypeVar
 
 from plcteach.core.area import Address
-from plcteach.core.errors import UnknownNameError
+from plcteach.core.errors import PlcTeachError, UnknownNameError
 from plcteach.machine.course import Course
 from plcteach.machine.signals import ONE, ZERO, Column, Signal, X
 from plcteach.machine.store import Memory
@@ -66,10 +66,10 @@ def address_of(dialect: Dialect, word: str) -> Address:
 def spread(program: Program, place: Address, value: Any, memory: Memory[Column] | None = None) -> dict[str, Any]:
     """Turn a given value into the bits or numbers in which the machine keeps it; `memory`: what a word's other bits are."""
     if place.size == 1 and not in_word(program.dialect, place):
-        return {place.text: _bit(value)}
+        return {place.text: _bit(value, place)}
     plant = Plant(program, memory or Memory(), {}, BITS)
     if place.size == 1:
-        plant.store(place, _bit(value))
+        plant.store(place, _bit(value, place))
         whole = program.dialect.whole(place).text
         return {whole: plant.number(whole)}
     number = UNKNOWN if value == "x" else _number(program.dialect, place, value)
@@ -88,8 +88,15 @@ def _number(dialect: Dialect, place: Address, value: Any) -> Number:
     """Give a number as a word keeps it; a float for a double word is its 32 bits, in a family that works on reals."""
     if isinstance(value, float) and place.size == _LONG and any(one.real for one in dialect.kinds.values()):
         return Number(real_bits(value))
-    return Number(int(value))
+    if not isinstance(value, int) or not -(1 << place.size >> 1) <= value < 1 << place.size:
+        msg = f"{place.text} has {place.size} bits, so it is a whole number that fits there, and not {value!r}"
+        raise PlcTeachError(msg)
+    return Number(value)
 
 
-def _bit(value: object) -> Column:
-    return X if value == "x" else ONE if value in (1, "1") else ZERO
+def _bit(value: object, place: Address) -> Column:
+    found = {"x": X, 1: ONE, "1": ONE, 0: ZERO, "0": ZERO}.get(value) if isinstance(value, int | str) else None
+    if found is None:
+        msg = f'{place.text} is a bit, so it is 0, 1 or "x", and not {value!r}'
+        raise PlcTeachError(msg)
+    return found

@@ -137,9 +137,14 @@ class Trace:
         ms = self.starts[number] - self.starts[number - 1] if number else self.first_ms
         return Scan(self.program, self.domain, number, self.starts[number], self.inputs[number], memory, ms)
 
-    def __getitem__(self, address: str) -> str:
-        """Give the values of a bit at the ends of all scans as a string such as "0011x"."""
+    def __getitem__(self, address: str) -> Any:
+        """Give a bit at the ends of all scans as a string such as "0011x", a word as a list of numbers (None for x)."""
+        if address_of(self.program.dialect, address).size != 1:
+            return [one.value for one in self.values(address)]
         return "".join(map(repr, self.values(address)))
+
+    def __len__(self) -> int:
+        return len(self.starts)
 
     def values(self, address: str) -> list[Any]:
         """Give what an address held at the end of every scan: bits, or numbers."""

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 _NUMBER = re.compile(r"[+-]?\d{1,9}")
 _REAL = re.compile(r"[+-]?\d{1,20}\.\d{1,20}(?:[Ee][+-]?\d{1,3})?")
-_NAME = re.compile(r'"[^"]+"|[^\W\d]{3,}\w*')
+_NAME = re.compile(r'"[^"]+"|[^\W\d]{3,}\w*|\w*[^\x00-\x7f]\w*')
 _SYMBOL = Text("如果它是符号名，还需要符号表。", "If it is a symbol, its table is wanted too.")
 _OCTAL = 8
 _HEX = 16

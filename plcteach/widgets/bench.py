@@ -107,7 +107,9 @@ class Workbench(Shown):
         wanted = json.loads(self.inputs)
         known = {address.text for address in program.addresses("input")}
         trace: Trace = run(
-            program, [{name: value for name, value in wanted.items() if name in known}], memory=self._memory
+            program,
+            [{name: 1 if value in (1, True) else 0 for name, value in wanted.items() if name in known}],
+            memory=self._memory,
         )
         found += trace.diagnostics
         self._memory = trace.scans[-1].after
