@@ -66,7 +66,8 @@ class Operands:
             args.append(arg)
             at += wants
         if words[at:]:
-            rest = Span(span.row, words[at].span.start, words[-1].span.stop)
+            here = [word for word in words[at:] if word.span.row == words[at].span.row]
+            rest = Span(here[0].span.row, here[0].span.start, here[-1].span.stop)
             self.say("RDR004", rest, word=first.shown.upper(), rest=words[at].shown)
             return None
         return tuple(args)

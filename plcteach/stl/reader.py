@@ -49,7 +49,7 @@ def read(
     tokens = cut(source, closers=")" in family.words)
     reading = _Reading(family, symbols.find if symbols else None)
     items: list[Line | Heading] = []
-    for item in tokens.items:
+    for item in _continued(tokens.items, family):
         if isinstance(item, Heading):
             reading.section.close()
             items.append(item)
@@ -70,6 +70,25 @@ def read(
         settings=reading.configuration.settings,
         symbols=reading.operands.symbols,
     )
+
+
+def _continued(items: list[Statement | Heading], dialect: Dialect) -> Iterator[Statement | Heading]:
+    """Put a preset that stands on a row of its own (`OUT T0`, below it `K10`) behind the instruction above it."""
+    marks = tuple(mark for mark in dialect.constant if mark.isalpha())
+    waiting: Statement | None = None
+    for item in items:
+        lone = isinstance(item, Statement) and len(item.words) == 1 and item.words[0].text.upper()
+        if waiting and lone and lone.startswith(marks or "?") and lone[1:].isdigit() and isinstance(item, Statement):
+            waiting.words.append(item.words[0])
+            waiting.comment = waiting.comment or item.comment
+            continue
+        if waiting:
+            yield waiting
+        waiting = item if isinstance(item, Statement) else None
+        if isinstance(item, Heading):
+            yield item
+    if waiting:
+        yield waiting
 
 
 class _Reading:
@@ -110,7 +129,8 @@ class _Reading:
         insn, operands = self.insn(words)
         if insn is None:
             return
-        span = Span(words[0].span.row, words[0].span.start, words[-1].span.stop)
+        last = [word for word in words if word.span.row == words[0].span.row][-1]
+        span = Span(words[0].span.row, words[0].span.start, last.span.stop)
         insn = self.suited(insn, operands)
         args = self.operands.args(insn, words[0], operands, span) if self.section.suits(insn, operands) else None
         self.began = True

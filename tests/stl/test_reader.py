@@ -408,3 +408,11 @@ def test_a_family_that_nobody_knows() -> None:
 )
 def test_each_family_parts_its_operands_as_its_books_do(family: str, text: str, given: str) -> None:
     assert [read(f"{one}\n", family).lines[0].text for one in (text, given)] == [text, text]
+
+
+def test_a_preset_may_stand_on_a_row_of_its_own() -> None:
+    program = read("0 LD X0\n1 OUT T0\n  K10\n4 LD T0\n5 OUT Y0\n", "fx")
+    assert program.diagnostics == ()
+    assert [line.text for line in program.lines] == ["LD X0", "OUT T0 K10", "LD T0", "OUT Y0"]
+    assert program.lines[1].span == Span(2, 2, 8)
+    assert [one.code for one in read("LD X0\nK10\nOUT Y0", "fx").diagnostics] == ["RDR004"]
