@@ -27,6 +27,8 @@ from plcteach.stl import read
 sys.path.insert(0, str(Path(__file__).parent / "machine"))
 from wrong_rows import beyond_bits, table_with, turned
 
+pytestmark = pytest.mark.no_cover  # many programs: measured lines would take most of the time
+
 if TYPE_CHECKING:
     from plcteach.core.insn import Insn
     from plcteach.core.spec import Dialect

@@ -19,6 +19,8 @@ from plcteach.machine import ONE, ZERO, Column, Domain, Memory, sweep
 sys.path.insert(0, str(Path(__file__).parent))
 from random_ladders import FAMILIES, INPUTS, Plain, bits, ladders, rungs
 
+pytestmark = pytest.mark.no_cover  # many programs: measured lines would take most of the time
+
 CASES = 1 << INPUTS
 ALL = (1 << CASES) - 1
 SCANS = ((1, 0), (5, 3), (11, 6))

@@ -16,6 +16,8 @@ from plcteach.machine.generated import Generated, Unsure
 from plcteach.machine.lanes import lanes
 from plcteach.stl import read
 
+pytestmark = pytest.mark.no_cover  # many programs: measured lines would take most of the time
+
 if TYPE_CHECKING:
     from plcteach.core.program import Program
     from plcteach.machine.scan import Trace

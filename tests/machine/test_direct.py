@@ -23,6 +23,8 @@ from plcteach.stl import read
 sys.path.insert(0, str(Path(__file__).parent))
 from direct import Clock, Direct, Program, Sink, kept, random_program, random_scans, render, spelled, watched
 
+pytestmark = pytest.mark.no_cover  # many programs: measured lines would take most of the time
+
 FAMILIES = ("s7-200", "gutta", "fx", "neza")
 PROGRAMS, CHUNK = 600, 50
 PATIENCE = (24, 4)

@@ -17,6 +17,8 @@ from plcteach.machine.store import Memory
 from plcteach.machine.words import BITS
 from plcteach.stl import read
 
+pytestmark = pytest.mark.no_cover  # many programs: measured lines would take most of the time
+
 CONTACTS = ["X0", "X1", "X2", "X3", "M0", "M1", "T0", "T250", "C0", "C200", "S20", "Y1"]
 COMPARES = ["D0 K3", "D2 D0", "T0 K2", "C0 K1", "K2X0 D4"]
 OUTPUTS = [

@@ -12,6 +12,8 @@ from hypothesis import strategies as st
 from plcteach.machine import run
 from plcteach.stl import read
 
+pytestmark = pytest.mark.no_cover  # many programs: measured lines would take most of the time
+
 MOST = 9999
 
 

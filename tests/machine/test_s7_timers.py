@@ -14,6 +14,8 @@ from plcteach.machine import run
 from plcteach.machine.scan import warm
 from plcteach.stl import read
 
+pytestmark = pytest.mark.no_cover  # many programs: measured lines would take most of the time
+
 
 def program(text: str, dialect: str = "s7-200"):
     found = read(text.replace(" / ", "\n"), dialect)

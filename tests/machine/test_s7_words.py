@@ -15,6 +15,8 @@ from plcteach.machine import run
 from plcteach.machine.lanes import lanes
 from plcteach.stl import read
 
+pytestmark = pytest.mark.no_cover  # many programs: measured lines would take most of the time
+
 if TYPE_CHECKING:
     from collections.abc import Callable
 

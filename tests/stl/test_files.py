@@ -19,6 +19,8 @@ from plcteach.stl import read, write, write_bytes
 from plcteach.stl.listing import cells, layout_of
 from plcteach.stl.tokens import Heading, Statement, Tokens, cut
 
+pytestmark = pytest.mark.no_cover  # many programs: measured lines would take most of the time
+
 
 def words(tokens: Tokens) -> list[list[str]]:
     return [[word.text for word in item.words] for item in tokens.items if isinstance(item, Statement)]

@@ -16,6 +16,8 @@ from plcteach.dialects import dialect, names
 from plcteach.stl import read, write, write_bytes
 from plcteach.stl.writer import Form
 
+pytestmark = pytest.mark.no_cover  # many programs: measured lines would take most of the time
+
 if TYPE_CHECKING:
     from plcteach.core.insn import Insn, Operand
     from plcteach.core.program import Program
