@@ -8,11 +8,9 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from plcteach.cli.folder import no_text
 from plcteach.core.area import Address
-from plcteach.core.diagnostic import errors, rule
-from plcteach.core.program import Program
-from plcteach.core.source import Span, decode
+from plcteach.core.diagnostic import errors
+from plcteach.core.source import decode
 from plcteach.core.text import language
 from plcteach.dialects import dialect as find_dialect
 from plcteach.dialects import names
@@ -24,6 +22,7 @@ from plcteach.stl.symbols import read_symbols
 if TYPE_CHECKING:
     import argparse
 
+    from plcteach.core.program import Program
     from plcteach.core.spec import Dialect
     from plcteach.stl.symbols import Symbols
 
@@ -54,11 +53,7 @@ def family_of(options: argparse.Namespace) -> Dialect:
 
 def program_of(name: str, options: argparse.Namespace) -> Program:
     """Read a program file, or lower a ladder drawing, in the family that the caller chose."""
-    data = _content(name)
-    if no_text(data):
-        family = family_of(options)
-        return Program(family, (), diagnostics=(rule("FIL002").at(Span(1)),))
-    return read_either(decode(data, options.encoding), family_of(options), symbols_of(options))
+    return read_either(text_of(name, options), family_of(options), symbols_of(options))
 
 
 def symbols_of(options: argparse.Namespace) -> Symbols | None:
