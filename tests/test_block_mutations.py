@@ -27,6 +27,7 @@ from plcteach.machine.timers import DRIVES
 from plcteach.stl import read
 
 sys.path.insert(0, str(Path(__file__).parent / "machine"))
+from direct import RELATIONS
 from wrong_rows import beyond_bits, table_with, turned
 
 pytestmark = pytest.mark.no_cover  # many programs: measured lines would take most of the time
@@ -186,14 +187,6 @@ BY_HAND = (
 
 # Comparisons, worked out by Python; each relation meets less, equal and more, and words that only a sign tells apart.
 
-RELATIONS = {
-    "=": operator.eq,
-    "<>": operator.ne,
-    ">=": operator.ge,
-    "<=": operator.le,
-    ">": operator.gt,
-    "<": operator.lt,
-}
 PAIRS = {
     "B": ((5, 7), (7, 7), (200, 7), (7, 200)),
     "W": ((5, 7), (7, 7), (9, 7), (-5, 7), (7, -5)),

@@ -93,13 +93,13 @@ def machine_of(program: Program) -> Machine:
     past: list[Key] = []
     edges_of: set[str] = set()
 
-    def watch(number: int, one: Step[Column]) -> None:
+    def watch(one: Step[Column]) -> None:
         reads.update(address.text for address, _ in one.read)
         writes.update(address.text for address, _ in one.written)
-        if any(verb.name in {"set", "reset"} for verb in one.line.insn.then):
+        if one.line.insn.does & {"set", "reset"}:
             reads.update(address.text for address, _ in one.written)
         if one.remembered is not None:
-            past.append(("past", number))
+            past.append(("past", one.number))
             edges_of.update(address.text for address, _ in one.read)
 
     sweep(program, Memory(), {}, BITS, watch)

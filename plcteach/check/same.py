@@ -23,10 +23,10 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from plcteach.check.pair import MOST_SETTLING_SCANS, Key, Machine, Pair, either, pair_of
-from plcteach.check.tried import LASTING, beyond_bits, tried
+from plcteach.check.tried import LASTING, beyond_bits, different, tried
 from plcteach.core.diagnostic import Diagnostic, rule
 from plcteach.core.source import Span
-from plcteach.core.verdict import Counterexample, Proof, Status, Verdict
+from plcteach.core.verdict import Proof, Status, Verdict
 from plcteach.machine.rows import Rows
 from plcteach.machine.scan import run
 from plcteach.machine.signals import ONE, ZERO, Column, X
@@ -66,14 +66,14 @@ def compare(reference: Program, student: Program, *, outputs: Iterable[str] = ()
 def _judged(pair: Pair) -> Verdict:
     reference, student = pair.reference.program, pair.student.program
     if _same_text(reference, student):
-        return Verdict("equal", "structural", outputs=dict.fromkeys(pair.outputs, "equal"), diagnostics=_beside(pair))
+        return _equal(pair, "structural")
     if max(len(reference.lines), len(student.lines)) > MOST_INSTRUCTIONS or len(pair.inputs) > MOST_VARIABLES:
         return Verdict("unknown", outputs=dict.fromkeys(pair.outputs, "unknown"), diagnostics=_beside(pair))
     at_first, after = _first_scan(pair)
     agreed = at_first & _induction(pair, after)
     if len(agreed) == len(pair.outputs):
         proof: Proof = "induction" if pair.state else "table"
-        return Verdict("equal", proof, None, dict.fromkeys(pair.outputs, "equal"), _beside(pair), 1)
+        return _equal(pair, proof, 1)
     return _search(pair, agreed)
 
 
@@ -85,7 +85,7 @@ def _tried(pair: Pair, level: str) -> Verdict:
     """Try two programs with time or words in them; exactly, or so that only a difference that lasts counts."""
     reference, student = pair.reference.program, pair.student.program
     if _same_text(reference, student):
-        return Verdict("equal", "structural", outputs=dict.fromkeys(pair.outputs, "equal"), diagnostics=_beside(pair))
+        return _equal(pair, "structural")
     lasting = 1 if level == "exact" else LASTING
     verdict = tried((reference, student), pair.inputs, pair.outputs, _beside(pair), lasting=lasting)
     return replace(verdict, level="settled") if level == "settled" else verdict
@@ -184,7 +184,11 @@ def _search(pair: Pair, agreed: set[str]) -> Verdict:
                     came[new] = (state, case)
                     following.append(new)
         waiting = following
-    return Verdict("equal", "exhaustive", None, dict.fromkeys(pair.outputs, "equal"), _beside(pair), explored)
+    return _equal(pair, "exhaustive", explored)
+
+
+def _equal(pair: Pair, proof: Proof, explored: int = 0) -> Verdict:
+    return Verdict("equal", proof, None, dict.fromkeys(pair.outputs, "equal"), _beside(pair), explored)
 
 
 def _unknown(pair: Pair, agreed: set[str], explored: int) -> Verdict:
@@ -223,27 +227,13 @@ def _path(came: Mapping[_State, tuple[_State, int] | None], state: _State) -> li
 
 
 def _different(pair: Pair, cases: list[int], agreed: set[str], explored: int) -> Verdict:
-    """Replay the found inputs on the plain machine, so that what is shown is what it does."""
+    """Replay the found inputs, held until both are at rest where that is the level."""
     rows = [{address: case >> number & 1 for number, address in enumerate(pair.inputs)} for case in cases]
-    scans = tuple(_held(pair, rows) if pair.settled else rows)
+    scans = _held(pair, rows) if pair.settled else rows
     if not scans:
         return Verdict("unsettled", None, None, dict.fromkeys(pair.outputs, "unsettled"), _beside(pair), explored)
-    expected, got = (run(machine.program, scans) for machine in (pair.reference, pair.student))
-    values = [
-        tuple({address: repr(scan[address]) for address in pair.outputs} for scan in trace.scans)
-        for trace in (expected, got)
-    ]
-    wrong = [
-        address
-        for address in pair.outputs
-        if values[0][-1][address] != values[1][-1][address] or values[1][-1][address] == "x"
-    ]
-    outputs: dict[str, Status] = {
-        address: "different" if address in wrong else "equal" if address in agreed else "unknown"
-        for address in pair.outputs
-    }
-    counterexample = Counterexample(scans, values[0], values[1], len(scans) - 1, wrong[0])
-    return Verdict("different", None, counterexample, outputs, _beside(pair), explored)
+    verdict = different((pair.reference.program, pair.student.program), scans, pair.outputs, agreed)
+    return replace(verdict, diagnostics=_beside(pair), explored=explored)
 
 
 def _held(pair: Pair, rows: list[dict[str, int]]) -> list[dict[str, int]]:

@@ -5,6 +5,7 @@ What is found is a difference and its inputs; finding none proves nothing, and t
 
 from __future__ import annotations
 
+from dataclasses import replace
 from random import Random
 from typing import TYPE_CHECKING, Any
 
@@ -16,10 +17,11 @@ from plcteach.machine.plan import plan_of
 from plcteach.machine.scan import run
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Collection, Iterator, Sequence
 
     from plcteach.core.diagnostic import Diagnostic
     from plcteach.core.program import Line, Program
+    from plcteach.core.spec import Dialect
 
 TIMELINES = 64
 SCANS = 400
@@ -37,17 +39,16 @@ Row = dict[str, Any]
 
 def beyond_bits(program: Program) -> bool:
     """Say whether a program has more than bits in it: time, words, blocks, or another course than straight on."""
-    clocks = {address for address, what in program.dialect.specials.items() if what.isdigit() or what == "turns"}
-    return any(_beyond(program, line, clocks) for line in program.lines)
+    return any(_beyond(program.dialect, line) for line in program.lines)
 
 
-def _beyond(program: Program, line: Line, clocks: set[str]) -> bool:
-    if any(verb.name not in _BITS_ONLY for verb in line.insn.then):
+def _beyond(dialect: Dialect, line: Line) -> bool:
+    if not line.insn.does <= _BITS_ONLY:
         return True
     return any(
         isinstance(arg, Compare)
         or (
-            isinstance(arg, Address) and (arg.size != 1 or arg.text in clocks or program.dialect.block(arg) is not None)
+            isinstance(arg, Address) and (arg.size != 1 or arg.text in dialect.moving or dialect.block(arg) is not None)
         )
         for arg in line.args
     )
@@ -80,7 +81,7 @@ def tried(
         if found:
             lane = min(found, key=lambda one: sum(len(row) for row in timelines[one][: scan + 1]))
             rows = tuple({**row, "ms": SCAN_MS} for row in timelines[lane][: scan + 1])
-            return _different(programs, rows, outputs, beside)
+            return replace(different(programs, rows, outputs), diagnostics=beside, explored=len(rows))
     return Verdict("unknown", None, None, nothing, beside, count * scans)
 
 
@@ -111,19 +112,21 @@ def _differing(both: tuple[Lanes, ...], outputs: tuple[str, ...], scan: int) -> 
     return cases
 
 
-def _different(
+def different(
     programs: tuple[Program, Program],
-    rows: tuple[Row, ...],
+    rows: Sequence[Row],
     outputs: tuple[str, ...],
-    beside: tuple[Diagnostic, ...],
+    agreed: Collection[str] = (),
 ) -> Verdict:
-    traces = [run(one, rows, scan_ms=SCAN_MS) for one in programs]
+    """Replay the found inputs on the plain machine, so that what is shown is what it does; `agreed`: outputs proved equal."""
+    traces = [run(one, rows) for one in programs]
     last = len(rows) - 1
     values = [
         tuple({address: repr(trace.value(address, scan)) for address in outputs} for scan in range(len(rows)))
         for trace in traces
     ]
     wrong = [one for one in outputs if values[0][last][one] != values[1][last][one] or values[1][last][one] == "x"]
-    said: dict[str, Status] = {address: "different" if address in wrong else "unknown" for address in outputs}
-    counterexample = Counterexample(rows, values[0], values[1], last, wrong[0])
-    return Verdict("different", None, counterexample, said, beside, len(rows))
+    said: dict[str, Status] = {
+        one: "different" if one in wrong else "equal" if one in agreed else "unknown" for one in outputs
+    }
+    return Verdict("different", None, Counterexample(tuple(rows), values[0], values[1], last, wrong[0]), said)

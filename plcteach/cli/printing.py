@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import json
-import re
 import sys
 import unicodedata
 from typing import TYPE_CHECKING, Any
 
 from plcteach.check.report import summary
 from plcteach.core.diagnostic import errors
+from plcteach.core.source import rows_of
 from plcteach.core.text import Text, language
 
 if TYPE_CHECKING:
@@ -105,10 +105,10 @@ def print_verdict(verdict: Verdict) -> None:
 _SEVERITIES = {"error": Text("错误", "error"), "warning": Text("警告", "warning"), "info": Text("提示", "info")}
 
 
-def print_findings(found: Sequence[Diagnostic], program: Program) -> None:
+def print_findings(found: Sequence[Diagnostic], source: Program | str) -> None:
     """Print findings the way a compiler does: the place, the row with carets, what is said and what to do."""
     lang = language()
-    rows = re.split(r"\r\n|\n|\r", program.source)
+    rows = rows_of(source if isinstance(source, str) else source.source)
     for one in found:
         severity = _SEVERITIES[one.severity].in_(lang)
         print(f"{one.span.row}:{one.span.start + 1}: {severity} {one.code}: {one.text.in_(lang)}")

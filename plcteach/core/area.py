@@ -34,6 +34,10 @@ class Address:
     def __repr__(self) -> str:
         return self.text
 
+    def fits(self, number: int) -> bool:
+        """Say whether a number goes into so many bits, with a sign or without."""
+        return -(1 << self.size >> 1) <= number < 1 << self.size
+
 
 @dataclass(frozen=True, slots=True)
 class Area:

@@ -33,6 +33,10 @@ class Bank:
     retains: bool = False
     size: int = 16
 
+    def rule(self, op: str) -> str:
+        """Say which rule a timer follows: an on-delay whose number keeps its time is retentive."""
+        return "retentive" if op == "on" and self.retains else op
+
 
 @dataclass(frozen=True, slots=True)
 class Setting:

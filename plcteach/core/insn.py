@@ -17,7 +17,7 @@ from plcteach.core.text import Text
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
-    from plcteach.core.verb import Verb
+    from plcteach.core.verb import Verb, VerbName
 
 
 @dataclass(frozen=True, slots=True)
@@ -87,9 +87,19 @@ class Insn:
         return self.mnemonic.partition(" ")[0]
 
     @property
+    def does(self) -> set[VerbName]:
+        """The names of what it does beside its stack effect."""
+        return {verb.name for verb in self.then}
+
+    @property
     def powers(self) -> bool:
         """Whether it powers the rail for the lines below it, so that what it loads need not be used."""
-        return any(verb.name in {"step", "segment"} for verb in self.then)
+        return bool(self.does & {"step", "segment"})
+
+    @property
+    def retentive(self) -> bool:
+        """Whether it drives a timer that keeps its time while its input is 0."""
+        return any(verb.op == "retentive" for verb in self.then)
 
     @property
     def effects(self) -> tuple[Effect, ...]:

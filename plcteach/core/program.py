@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from plcteach.core.effect import Effect
     from plcteach.core.insn import Insn
     from plcteach.core.spec import Dialect
+    from plcteach.core.verb import Verb
 
 
 @dataclass(frozen=True, slots=True)
@@ -94,12 +95,24 @@ class Line:
         """The canonical spelling: mnemonic, a space, the operands parted as the family does it."""
         if self.said:
             return self.said
-        pairs = zip(self.insn.operands, self.args, strict=False)
-        operands = self.insn.separator.join(
-            f"{one.mark}{arg}" if isinstance(arg, int) else arg.text for one, arg in pairs
-        )
+        operands = self.insn.separator.join(map(self.spell, self.bound))
         word = self.insn.word
         return f"{word} {operands}".strip() if operands else word
+
+    def spell(self, name: str) -> str:
+        """Spell an operand, a number with its mark (N0, P3); "" where the line has none of this name."""
+        arg = self.bound.get(name)
+        if isinstance(arg, int):
+            return f"{next(one.mark for one in self.insn.operands if one.name == name)}{arg}"
+        return arg.text if arg else ""
+
+    @property
+    def targets(self) -> Iterator[tuple[Verb, Address]]:
+        """Each verb of its instruction with the address that it works on, if it is one."""
+        for verb in self.insn.then:
+            target = self.bound.get(verb.target)
+            if isinstance(target, Address):
+                yield verb, target
 
     @property
     def bits(self) -> tuple[Address, ...]:

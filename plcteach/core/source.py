@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass
 
 MOST_CHARACTERS = 2_000_000
@@ -18,6 +19,14 @@ class Span:
 
     def __repr__(self) -> str:
         return f"{self.row}:{self.start}-{self.stop}"
+
+
+_ROW_ENDS = re.compile(r"\r\n|\n|\r")
+
+
+def rows_of(text: str) -> list[str]:
+    """Give the rows of a text, whatever ends them."""
+    return _ROW_ENDS.split(text)
 
 
 _FULL_WIDTH = {code: code - 0xFEE0 for code in range(0xFF01, 0xFF5F)}

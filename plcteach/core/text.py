@@ -50,6 +50,11 @@ def same(words: str) -> Text:
     return Text(words, words)
 
 
+def counted(count: int, zh: str, en: str) -> Text:
+    """Say how many there are of something: 3行, 3 rows."""
+    return Text(f"{count}{zh}", f"{count} {en}")
+
+
 def joined(parts: Iterable[Text], zh: str = "", en: str = " ") -> Text:
     """Put several texts after each other, separated as each language wants it."""
     kept = [part for part in parts if part.zh or part.en]

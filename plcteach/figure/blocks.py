@@ -27,7 +27,7 @@ def blocks_of(dialect: Dialect, insn: Insn) -> Iterator[tuple[Text, Text]]:
     targets = {verb.target for verb in insn.then if verb.name in {"open", "pin", "drive"}}
     kinds = [dialect.kinds[one.kind] for one in insn.operands if one.name in targets and one.kind]
     mine = [block for block in dialect.blocks if any(block.area in kind.areas for kind in kinds)]
-    if any(verb.name == "open" for verb in insn.then):
+    if "open" in insn.does:
         yield _PINS, same("; ".join(map(_pins, mine)))
     for block in mine if len(mine) == 1 else ():
         if block.settings:
@@ -56,9 +56,8 @@ def _setting(block: Block, name: str) -> str:
 
 def _bases(dialect: Dialect, block: Block, insn: Insn) -> Text:
     """Say which numbers count in which steps: those that keep their time apart, where they have an instruction of their own."""
-    keeps = any(verb.op == "retentive" for row in dialect.insns for verb in row.then)
-    wants = any(verb.op == "retentive" for verb in insn.then)
-    banks = sorted((bank for bank in block.banks if not keeps or bank.retains == wants), key=_order)
+    keeps = any(row.retentive for row in dialect.insns)
+    banks = sorted((bank for bank in block.banks if not keeps or bank.retains == insn.retentive), key=_order)
     said = []
     for (base, retains), group in groupby(banks, key=lambda bank: (bank.base, bank.retains)):
         numbers = ", ".join(_span(block, bank) for bank in group)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from plcteach.core.program import Assign, Value
+from plcteach.core.program import Assign
 from plcteach.core.text import NOTHING, Text, same
 from plcteach.figure.drives import drives, opens, pins, updates
 from plcteach.figure.when import fired, when
@@ -16,11 +16,12 @@ if TYPE_CHECKING:
     from plcteach.core.verb import Verb
     from plcteach.figure.told import Told
 
+_JUMPS = Text(
+    "程序跳到标号{target}，中间的指令不执行",
+    "the program goes on at label {target}, and the lines between are passed over",
+)
 _ALWAYS: dict[str, Text] = {
-    "jump": Text(
-        "程序跳到标号{target}，中间的指令不执行",
-        "the program goes on at label {target}, and the lines between are passed over",
-    ),
+    "jump": _JUMPS,
     "label": Text("跳转到标号{target}的程序从这里接着执行", "a jump to label {target} goes on from here"),
     "next": Text(
         "循环变量加1：没有超过终值，就回到循环开头再执行一遍；超过了，循环结束",
@@ -50,10 +51,7 @@ _ALONE = Text(
 )
 _WHERE_POWERED: dict[str, tuple[Text, Text]] = {
     "jump": (
-        Text(
-            "程序跳到标号{target}，中间的指令不执行",
-            "the program goes on at label {target}, and the lines between are passed over",
-        ),
+        _JUMPS,
         Text("不跳转，接着执行下一条", "there is no jump, and the next line follows"),
     ),
     "call": (
@@ -148,7 +146,7 @@ def _values(told: Told, verb: Verb) -> dict[str, Text]:
     if told.main.depth == 1:
         begins = _ACCUMULATOR.format(it=told.result)
     steps = any(one.name == "step" for row in told.dialect.insns for one in row.then)
-    first, last = (_spelled(told, name) for name in (*verb.sources, "", "")[:2])
+    first, last = (same(told.address(name)) for name in (*verb.sources, "", "")[:2])
     return {
         "target": goal(told, verb), "begins": begins,
         "part": _STEP if steps else _SEGMENT, "first": first, "last": last,
@@ -156,18 +154,9 @@ def _values(told: Told, verb: Verb) -> dict[str, Text]:
     }  # fmt: skip
 
 
-def _spelled(told: Told, name: str) -> Text:
-    arg = told.line.bound.get(name)
-    if isinstance(arg, Value):
-        return same(arg.text)
-    return same(told.address(name)) if arg is not None else NOTHING
-
-
 def goal(told: Told, verb: Verb) -> Text:
     """Name what a verb works on."""
     arg = told.line.bound.get(verb.target)
     if arg is None:
         return Text("操作数", "the operand")
-    operand = next((one for one in told.line.insn.operands if one.name == verb.target), None)
-    mark = operand.mark if operand else ""
-    return same(f"{mark}{arg}" if isinstance(arg, int) else arg.target.text if isinstance(arg, Assign) else arg.text)
+    return same(arg.target.text if isinstance(arg, Assign) else told.line.spell(verb.target))

@@ -101,11 +101,16 @@ _PINS = {
 }
 
 
+def _driven(told: Told, verb: Verb) -> tuple[Address | None, Block | None]:
+    """Give the block that a verb works on: its address and its declaration."""
+    target = told.line.bound.get(verb.target)
+    return (target, told.dialect.block(target)) if isinstance(target, Address) else (None, None)
+
+
 def drives(told: Told, verb: Verb) -> Text:
     """Say what an instruction makes its timer or counter do, or what the block has come to."""
-    target = told.line.bound.get(verb.target)
-    block = told.dialect.block(target) if isinstance(target, Address) else None
-    if not isinstance(target, Address) or block is None:
+    target, block = _driven(told, verb)
+    if target is None or block is None:
         return NOTHING
     if told.step:
         seen = [
@@ -157,7 +162,6 @@ def _preset(told: Told, verb: Verb) -> str:
 
 def _timer_rule(told: Told, verb: Verb, target: Address, block: Block) -> Text:
     bank = block.bank(target.index)
-    op = "retentive" if verb.op == "on" and bank.retains else verb.op
     ((name, formula),) = verb.pins
     short = same(name) if getattr(formula, "name", "") == name else told.result
     arg = told.line.bound.get(verb.sources[0])
@@ -170,14 +174,13 @@ def _timer_rule(told: Told, verb: Verb, target: Address, block: Block) -> Text:
     if not block.stops:
         then = Text(f"，时间继续增加（最多{block.most}）", f", while the time goes on up to {block.most}")
     values = {"IN": _located(told, verb)[name], "in_": short, "t": target.text, "base": lasting(bank.base)}
-    return _TIMERS[op].format(**values, goal=goal, then=then)
+    return _TIMERS[bank.rule(verb.op)].format(**values, goal=goal, then=then)
 
 
 def pins(told: Told, verb: Verb) -> Text:
     """Say what a pin does with the value that it gets, or what came of it."""
-    target = told.line.bound.get(verb.target)
-    block = told.dialect.block(target) if isinstance(target, Address) else None
-    if not isinstance(target, Address) or block is None:
+    target, block = _driven(told, verb)
+    if target is None or block is None:
         return NOTHING
     it = with_value(told.result, told.was())
     goes = Text("{it}接到{c}的{pin}", "{it} goes to pin {pin} of {c}").format(it=it, c=target.text, pin=verb.op)
@@ -208,9 +211,8 @@ def _pin_rule(told: Told, block: Block, target: Address, pin: str) -> Text:
 
 def opens(told: Told, verb: Verb) -> Text:
     """Say which pins a block waits for."""
-    target = told.line.bound.get(verb.target)
-    block = told.dialect.block(target) if isinstance(target, Address) else None
-    if not isinstance(target, Address) or block is None:
+    target, block = _driven(told, verb)
+    if target is None or block is None:
         return NOTHING
     said = Text(
         "{c}的输入部分从这里开始：引脚{pins}，没有接的引脚为0",
@@ -222,10 +224,10 @@ def opens(told: Told, verb: Verb) -> Text:
 
 def updates(told: Told, verb: Verb) -> Text:
     """Say that a block acts on its pins, or only that its section ends."""
-    target = told.line.bound.get(verb.target)
+    target, block = _driven(told, verb)
     if told.step and not told.step.written and not told.step.numbers:
         return Text("功能块部分到此结束", "the block's section ends here")
-    if not isinstance(target, Address) or told.dialect.block(target) is None:
+    if target is None or block is None:
         return Text("功能块按引脚上的值动作一次", "the block acts once on what its pins have been given")
     if told.step:
         said = Text("{c}按引脚上的值动作一次；{state}", "{c} acts once on what its pins have been given; {state}")

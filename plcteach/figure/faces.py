@@ -8,22 +8,24 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
-from plcteach.core.area import Address
 from plcteach.core.program import Value
 from plcteach.core.text import Text
 from plcteach.figure.face import Face, Gauge, Grid, Pin, Slot, step_slots, timed
 from plcteach.machine.registers import WORDS
+from plcteach.machine.shifts import Shift, shift_of
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
 
+    from plcteach.core.area import Address
     from plcteach.core.block import Block
     from plcteach.core.program import Arg, Line, Program
     from plcteach.core.verb import Verb
     from plcteach.machine.step import Step
     from plcteach.machine.store import Store
 
-_DRIVES = {"drive", "pin", "update"}
+_DRIVES = {"drive", "pin", "update", "shift"}
+_MOST_SLOTS = 64
 
 
 @dataclass(slots=True)
@@ -37,16 +39,14 @@ class Blocks:
     def __post_init__(self) -> None:
         """Find the blocks that the program drives, in the order in which it does."""
         for line in self.program.lines:
-            for verb in line.insn.then:
-                target = line.bound.get(verb.target)
-                if isinstance(target, Address) and (verb.name in _DRIVES or verb.name == "shift"):
+            for verb, target in line.targets:
+                if verb.name in _DRIVES:
                     self.found.setdefault(target.text, (target, line, verb))
 
     def look(self, step: Step[Any]) -> None:
         """Take note of what an instruction puts on a block's pins."""
-        for verb in step.line.insn.then:
-            target = step.line.bound.get(verb.target)
-            if not isinstance(target, Address) or target.text not in self.found:
+        for verb, target in step.line.targets:
+            if target.text not in self.found:
                 continue
             pins = self.seen.setdefault(target.text, {})
             if verb.name == "pin":
@@ -181,16 +181,12 @@ _FACES: dict[str, Callable[[_Shown], Face]] = {
 
 def _row(store: Store[Any], target: Address, line: Line, verb: Verb) -> Face:
     """Give the face of a row of bits that an instruction shifts."""
-    first, *rest = (line.bound.get(name) for name in verb.sources)
-    numbers = [one if isinstance(one, int) else int(one.number) for one in rest if isinstance(one, int | Value)]
-    count = numbers[0] if numbers else 1
-    up = verb.op == "left" or (verb.op == "row" and count > 0)
+    shift = shift_of(store.dialect, line, verb) or Shift((), (), up=False)
     slots = tuple(
-        Slot(place.text.removeprefix(place.area), repr(store.bit(place)))
-        for place in store.dialect.following(target, min(abs(count), 64))
+        Slot(place.text.removeprefix(place.area), repr(store.bit(place))) for place in shift.row[:_MOST_SLOTS]
     )
-    pins = (Pin("DATA", repr(store.bit(first)) if isinstance(first, Address) else ""),)
-    return Face(target.text, "shift", line.insn.title, pins, slots=slots, way="left" if up else "right")
+    pins = (Pin("DATA", repr(store.bit(shift.entering[0])) if shift.entering else ""),)
+    return Face(target.text, "shift", line.insn.title, pins, slots=slots, way="left" if shift.up else "right")
 
 
 def block_names(program: Program) -> Iterator[str]:

@@ -122,7 +122,7 @@ def _unchanged(told: Told) -> Iterator[Text]:
     verbs = [one for one in map(partial(_beside, told), told.line.insn.then) if one.zh]
     alone = Text("累加器不变", "the accumulator keeps its value")
     stays = Text("堆栈不变", "the stack stays as it is") if told.main.depth > 1 else alone
-    if any(verb.name == "call" for verb in told.line.insn.then):
+    if "call" in told.line.insn.does:
         stays = NOTHING
     if not verbs:
         yield Text("空操作，什么也不改变", "no operation, and nothing changes")

@@ -79,7 +79,7 @@ def telling_inputs(program: Program) -> dict[str, int]:
     bits = {name: Column(full ^ one, one) for name, one in ones.items()}
     scores, highs, steps = [0] * cases, [0] * cases, 0
 
-    def watch(_number: int, one: Step[Column]) -> None:
+    def watch(one: Step[Column]) -> None:
         nonlocal steps
         steps += 1
         for mask, worth in _telling(one):

@@ -10,6 +10,7 @@ from plcteach.core.program import Assign, Value
 from plcteach.core.text import NOTHING, Text, joined, same
 from plcteach.figure.told import with_value
 from plcteach.figure.when import fired, when
+from plcteach.machine.shifts import shift_of
 from plcteach.machine.sums import RULES, real
 from plcteach.machine.words import wrapped
 
@@ -298,15 +299,11 @@ def _ordered(told: Told, verb: Verb, job: _Job) -> Text:
 
 def shifts(told: Told, verb: Verb) -> Text:
     """Tell of a row of bits: what enters, where it moves, what falls out."""
-    data, target = told.line.bound.get(verb.sources[0]), told.line.bound.get(verb.target)
-    if not isinstance(data, Address) or not isinstance(target, Address):
+    shift = shift_of(told.dialect, told.line, verb)
+    if shift is None:
         return NOTHING
-    numbers = [arg for name in verb.sources[1:] if isinstance(arg := told.line.bound.get(name), int)]
-    up = verb.op == "left" or (verb.op == "row" and numbers[0] > 0)
-    count = 1 if verb.op == "row" else numbers[1]
-    row = [place.text for place in told.dialect.following(target, abs(numbers[0]))] or [target.text]
-    entering = [place.text for place in told.dialect.following(data, count)]
-    moves = _row(told, verb, (row, entering), up=up)
+    row = [place.text for place in shift.row] or [told.address(verb.target)]
+    moves = _row(told, verb, (row, [place.text for place in shift.entering]), up=shift.up)
     bits = " ".join(repr(bit) for _, bit in told.step.written[: len(row)]) if told.step else ""
     stand = Text("{row}现在是{bits}", "{row} are {bits} now").format(row=_span(row), bits=bits) if bits else NOTHING
     still = joined([Text("各位不动", "no bit moves"), stand], "，", ", ")

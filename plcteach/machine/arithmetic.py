@@ -21,8 +21,7 @@ Operands = list[tuple[Any, Kind | None]]
 def worked(doing: Evaluation[Any], op: str, sources: Operands, target: tuple[Address, Kind], power: Any) -> None:
     """Write the result to the target where there is power, with its flags; ENO says whether it went well."""
     world, domain, rule = doing.world, doing.world.domain, RULES[op]
-    words = [world.word(arg, kind) for arg, kind in sources]
-    doing.seen += [(arg, word) for (arg, _), word in zip(sources, words, strict=True) if isinstance(arg, Address)]
+    words = _read(doing, sources)
     exact, answered = rule.exact(domain, words)
     place, kind = target
     size = kind.size if place.field == "K" else min(place.size, kind.size) or kind.size
@@ -46,6 +45,13 @@ def worked(doing: Evaluation[Any], op: str, sources: Operands, target: tuple[Add
 _MINUS_ZERO = -(1 << 31)
 
 
+def _read(doing: Evaluation[Any], sources: Operands) -> list[Any]:
+    """Give the words that the operands stand for, and note what was read."""
+    words = [doing.world.word(arg, kind) for arg, kind in sources]
+    doing.seen += [(arg, word) for (arg, _), word in zip(sources, words, strict=True) if isinstance(arg, Address)]
+    return words
+
+
 def _among(domain: Any, result: Any, into: tuple[Any, Address, int]) -> Any:
     """Put a result into the low part of a wider register, whose other bits stay [rec]."""
     world, place, size = into
@@ -60,8 +66,7 @@ def ordered(doing: Evaluation[Any], sources: Operands, target: Address, power: A
     Two words are the number compared with and the number itself; of three, an upper end below the lower one counts as equal.
     """
     world, domain = doing.world, doing.world.domain
-    words = [world.word(arg, kind) for arg, kind in sources]
-    doing.seen += [(arg, word) for (arg, _), word in zip(sources, words, strict=True) if isinstance(arg, Address)]
+    words = _read(doing, sources)
     low, value = words[0], words[-1]
     high = domain.pick(words[-2].ge(low), words[-2], low)
     found = (~value.ge(low), value.ge(low) & high.ge(value), ~high.ge(value))
@@ -99,10 +104,13 @@ def _fallen(doing: Evaluation[Any], rule: Rule, power: Any, words: list[Any]) ->
     if out is None or name is None:
         return
     flag = world.dialect.address(name)
-    one = domain.number(1)
-    falls = domain.apply(lambda value, count: int(out(value, count) is not None), *words).eq(one)
-    bit = domain.apply(lambda value, count: out(value, count) or 0, *words).eq(one)
+    fallen = domain.apply(lambda value, count: _NOTHING if (bit := out(value, count)) is None else bit, *words)
+    falls, bit = ~fallen.eq(domain.number(_NOTHING)), fallen.eq(domain.number(1))
     doing.written.append((flag, domain.pick(power & falls, bit, world.bit(flag))))
+
+
+_NOTHING = 2
+"""No bit, where the bit that fell out is asked for."""
 
 
 def number_of(value: Value, *, as_real: bool) -> int | None:

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 from plcteach.machine import counters, registers
 from plcteach.machine.shifts import moved
+from plcteach.machine.store import PIN
 from plcteach.machine.timers import DRIVES, Clock, ticked
 
 if TYPE_CHECKING:
@@ -61,17 +62,16 @@ def _risen(doing: Evaluation[Any], target: Address, pins: Pins, name: str) -> An
     """Give the rising edge of a pin since the block last looked at it; a pin that takes no part gives none."""
     if name not in pins:
         return doing.world.domain.zero
-    key = f"{target.text}<{name}"
+    key = f"{target.text}{PIN}{name}"
     doing.kept.append((key, pins[name]))
     return pins[name].edge(doing.world.remembered(key, pins[name]), rising=True)
 
 
 def clock_of(world: Any, target: Address) -> Clock:
     """Give what a timer remembers."""
-    key, block = target.text, world.dialect.block(target)
-    bit = f"{key}.{block.bit}" if block.bit else key
+    key = target.text
     return Clock(
-        world.kept(bit),
+        world.kept(world.output(target)),
         world.number(f"{key}.ms"),
         world.kept(f"{key}.going"),
         world.kept(f"{key}.was"),
@@ -105,8 +105,8 @@ def _timer(doing: Evaluation[Any], op: str, target: Address, pins: Pins, preset:
 
 def timer_op(world: Any, op: str, target: Address) -> str:
     """Say which rule a timer follows: its instruction's, its configuration's, or what its number makes of it."""
-    wanted: str = op or world.setting(target, "TYPE")
-    return "retentive" if wanted == "on" and world.dialect.bank(target).retains else wanted
+    rule: str = world.dialect.bank(target).rule(op or world.setting(target, "TYPE"))
+    return rule
 
 
 def _counter(doing: Evaluation[Any], op: str, target: Address, pins: Pins, preset: Arg | None) -> None:

@@ -59,7 +59,7 @@ class Course(Generic[S]):
         blank = self.world.domain.blank
         return tuple((blank,) * shape.depth if shape.fixed else () for shape in self.shapes)
 
-    def steps(self) -> Iterator[tuple[int, Step[S]]]:
+    def steps(self) -> Iterator[Step[S]]:
         """Execute line after line, and give those that were executed."""
         lines, domain, count = self.plan.lines, self.world.domain, len(self.plan.lines)
         while self.next < self.stop or self.back():
@@ -82,7 +82,7 @@ class Course(Generic[S]):
                 one = self.rails.coil(one)
                 self.world.keep(one, run)
                 self.stacks = one.after if run is None else self.merged(one, run)
-                yield number, one
+                yield one
             for verb, power in one.asks:
                 _ASKED[verb.name](self, verb, one, power)
             self.executed += 1
@@ -158,10 +158,8 @@ class Course(Generic[S]):
 
     def call(self, verb: Verb, one: Step[S], power: S | None) -> None:
         """Put the stack aside and begin a routine with 1 on top of zeros."""
-        operand = next((each for each in one.line.insn.operands if each.name == verb.target), None)
-        name = f"{operand.mark if operand else ''}{one.line.bound.get(verb.target)}"
-        here, domain = self.here(power), self.world.domain
-        if name not in self.plan.routines or here == domain.zero:
+        name, here, domain = one.line.spell(verb.target), self.here(power), self.world.domain
+        if not name or name not in self.plan.routines or here == domain.zero:
             return
         if len(self.frames) >= DEEPEST:
             self.say("RUN003", one)
@@ -185,14 +183,14 @@ class Course(Generic[S]):
         """Go on only where there was no power."""
         self.less(power)
 
-    def finish(self, _verb: Verb, one: Step[S], power: S | None) -> None:
+    def finish(self, _verb: Verb, _one: Step[S], power: S | None) -> None:
         """End the scan, or end it where there is power."""
         if power is None:
             self.next = self.stop
             self.frames.clear()
             self.run = self.world.domain.zero
         else:
-            self.leave(_verb, one, power)
+            self.less(power)
 
     def halt(self, _verb: Verb, _one: Step[S], power: S | None) -> None:
         """Remember where the CPU goes to STOP."""

@@ -110,7 +110,7 @@ def _update(doing: Evaluation[Any], verb: Verb) -> None:
         driven(doing, "", target, {name: doing.world.pins.get(name, zero) for name in block.pins}, None)
 
 
-def _ask(doing: Evaluation[Any], verb: Verb) -> None:
+def ask(doing: Evaluation[Any], verb: Verb) -> None:
     """Leave it to the program's course."""
     doing.asks.append((verb, doing.power(verb.formula)))
 
@@ -133,24 +133,5 @@ DEEDS: dict[str, Callable[[Evaluation[Any], Verb], None]] = {
     "pin": _pin,
     "update": _update,
     "master": _master,
-    "transfer": _ask,
 }
-DEEDS |= dict.fromkeys(
-    (
-        "open",
-        "jump",
-        "label",
-        "call",
-        "return",
-        "loop",
-        "next",
-        "end",
-        "stop",
-        "restore",
-        "segment",
-        "step",
-        "rail",
-        "entry",
-    ),
-    _ask,
-)
+"""Every other verb is left to the program's course."""

@@ -16,7 +16,7 @@ from plcteach.machine.plan import plan_of
 from plcteach.machine.signals import ONE, ZERO, Column
 from plcteach.machine.store import PIN, Memory
 from plcteach.machine.words import BITS, Domain, Number
-from plcteach.machine.world import Plant
+from plcteach.machine.world import Plant, beat
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -162,9 +162,8 @@ class _Plant(Plant[Code]):
 
     def driven(self) -> dict[str, Code]:
         text = self.domain.text  # type: ignore[attr-defined]
-        moving = {address for address, what in self.dialect.specials.items() if what.isdigit() or what == "turns"}
         return {
-            address: Code(_clock(address, self.dialect.specials), text) if address in moving else value
+            address: Code(_clock(address, self.dialect.specials), text) if address in self.dialect.moving else value
             for address, value in super().driven().items()
         }
 
@@ -190,7 +189,7 @@ class Generated:
             raise Unsure
         self.program = program
         self.fed = tuple(fed)
-        self.clocks = [key for key, what in program.dialect.specials.items() if what.isdigit() or what == "turns"]
+        self.clocks = program.dialect.moving
         driven = set(program.dialect.specials)
         self.bits = tuple(key for key in memory.bits if key not in driven and key not in self.fed)
         self.words = tuple(key for key in memory.words if key not in self.fed)
@@ -308,9 +307,7 @@ class Generated:
     def ticks(self, scans: int, now: int) -> tuple[int, ...]:
         """Give what the moving system bits are in one scan."""
         specials = self.program.dialect.specials
-        return tuple(
-            (1 - scans % 2) if specials[key] == "turns" else now * 2 // int(specials[key]) % 2 for key in self.clocks
-        )
+        return tuple(beat(specials[key], scans, now) for key in self.clocks)
 
 
 class _Image:

@@ -11,9 +11,8 @@ from typing import TYPE_CHECKING, Any
 
 from plcteach.machine.course import Mixed
 from plcteach.machine.scan import SCAN_MS, Trace, address_of, run, spread, sweep
-from plcteach.machine.signals import ONE, ZERO, Column, X
-from plcteach.machine.store import Memory, Store
-from plcteach.machine.sweep import in_word
+from plcteach.machine.signals import ZERO, Column
+from plcteach.machine.store import Memory, Store, in_word
 from plcteach.machine.words import Domain, Number, gathered, value_of
 
 if TYPE_CHECKING:
@@ -36,12 +35,9 @@ class Lanes:
         """Give a bit after one scan, a case for each timeline."""
         place = address_of(self.program.dialect, address)
         if self.traces:
-            bits = [trace.value(address, scan) for trace in self.traces]
-            return Column(
-                sum(bit.may0 << lane for lane, bit in enumerate(bits)),
-                sum(bit.may1 << lane for lane, bit in enumerate(bits)),
-            )
-        column: Column = Store(self.program, self.memories[scan], self.domain).value(place)
+            column: Column = _column([trace.value(address, scan) for trace in self.traces], self.domain)
+        else:
+            column = Store(self.program, self.memories[scan], self.domain).value(place)
         return column
 
     def value(self, address: str, scan: int, lane: int) -> Any:
@@ -51,7 +47,7 @@ class Lanes:
         place = address_of(self.program.dialect, address)
         found = Store(self.program, self.memories[scan], self.domain).value(place)
         if isinstance(found, Column):
-            return {"0": ZERO, "1": ONE, "x": X}[found.at(lane)]
+            return Column(found.may0 >> lane & 1, found.may1 >> lane & 1)
         return Number(value_of(found, lane))
 
 

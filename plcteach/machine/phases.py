@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING
 
 from plcteach.core.area import Address
 from plcteach.core.diagnostic import MOST_FINDINGS, rule
-from plcteach.core.source import MOST_CHARACTERS, Span, half_width
-from plcteach.core.text import Text
+from plcteach.core.source import MOST_CHARACTERS, Span, half_width, rows_of
+from plcteach.core.text import Text, counted
 
 if TYPE_CHECKING:
     from plcteach.core.diagnostic import Diagnostic
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 MOST_PHASES = 100_000
 """All rows of a timeline together may have so many phases, repetitions written out."""
 
-_MOST = Text(f"{MOST_PHASES}段", f"{MOST_PHASES} phases")
+_MOST = counted(MOST_PHASES, "段", "phases")
 _DEEPEST = 8
 _STATES = dict.fromkeys(("on", "通", "接通", "开", "true"), 1) | dict.fromkeys(("off", "断", "断开", "关", "false"), 0)
 _UNITS = {"ms": 1, "毫秒": 1, "s": 1_000, "秒": 1_000, "秒钟": 1_000, "min": 60_000, "分": 60_000, "分钟": 60_000}
@@ -58,10 +58,10 @@ def read_rows(text: str, dialect: Dialect) -> tuple[list[Row], list[Diagnostic]]
     """Give the rows that could be read, and findings about all else."""
     reading = _Reading(dialect)
     if len(text) > MOST_CHARACTERS:
-        size, most = (_counted(count, "个字符", "characters") for count in (len(text), MOST_CHARACTERS))
+        size, most = (counted(count, "个字符", "characters") for count in (len(text), MOST_CHARACTERS))
         reading.too_long(Span(1), size, most)
         return [], reading.found
-    for number, given in enumerate(re.split(r"\r\n|\n|\r", text), 1):
+    for number, given in enumerate(rows_of(text), 1):
         plain = half_width(given).split("//")[0]
         start = 0
         for part in plain.split(";"):
@@ -71,10 +71,6 @@ def read_rows(text: str, dialect: Dialect) -> tuple[list[Row], list[Diagnostic]]
         if len(reading.found) > MOST_FINDINGS:
             break
     return list(reading.rows.values()), reading.found
-
-
-def _counted(count: int, zh: str, en: str) -> Text:
-    return Text(f"{count}{zh}", f"{count} {en}")
 
 
 @dataclass(frozen=True, slots=True)
@@ -194,7 +190,7 @@ class _Reading:
         pieces = self.timed(address, group.pieces, to_the_end=False)
         more = len(pieces) * (group.count - 1)
         if more > self.left:
-            self.too_long(group.span, _counted(more + len(pieces), "段", "phases"), _MOST)
+            self.too_long(group.span, counted(more + len(pieces), "段", "phases"), _MOST)
             return
         self.left -= more
         groups[-1].pieces += pieces * group.count
@@ -224,7 +220,7 @@ class _Reading:
             return []
         self.left -= 1
         if self.left < 0:
-            self.too_long(part.span, _counted(MOST_PHASES - self.left, "段", "phases"), _MOST)
+            self.too_long(part.span, counted(MOST_PHASES - self.left, "段", "phases"), _MOST)
             return []
         return [Piece(None if length is None else int(length), value, part.span, part.shown)]
 
@@ -234,11 +230,11 @@ class _Reading:
         if not _NUMBER.fullmatch(word):
             self.say("TIM003", part.span, word=part.shown)
             return None
-        value, size = int(word), address.size
-        if size == 1 and value not in {0, 1}:
+        value = int(word)
+        if address.size == 1 and value not in {0, 1}:
             self.say("TIM005", part.span, address=address.text, what=_BIT, word=word)
-        elif size > 1 and not -(1 << size >> 1) <= value < 1 << size:
-            what = Text(f"只有{size}位", f"has {size} bits")
+        elif address.size > 1 and not address.fits(value):
+            what = Text(f"只有{address.size}位", f"has {address.size} bits")
             self.say("TIM005", part.span, address=address.text, what=what, word=word)
         else:
             return value

@@ -5,15 +5,14 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from plcteach.core.area import Address
-
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
+    from plcteach.core.area import Address
     from plcteach.core.block import When
     from plcteach.core.program import Line, Program
 
-_WAKING = {"label", "step", "rail", "restore", "segment"}
+_WAKING = {"step", "rail", "restore", "segment"}
 
 
 @dataclass(frozen=True, slots=True)
@@ -86,9 +85,7 @@ def _plan(program: Program) -> Plan:
                 label = program.lines[number].bound.get(verb.target)
                 if verb.name == "label" and isinstance(label, int):
                     labels.setdefault((name, label), number)
-    wakes = {
-        number for number, line in enumerate(program.lines) if any(verb.name in _WAKING for verb in line.insn.then)
-    }
+    wakes = {number for number, line in enumerate(program.lines) if line.insn.does & _WAKING}
     clocks = tuple(dict.fromkeys(_clocks(program)))
     return Plan(program.lines, frozenset(starts), routines, labels, _loops(program.lines), frozenset(wakes), clocks)
 
@@ -97,10 +94,9 @@ def _loops(lines: tuple[Line, ...]) -> dict[int, int]:
     ends: dict[int, int] = {}
     open_loops: list[int] = []
     for number, line in enumerate(lines):
-        names = {verb.name for verb in line.insn.then}
-        if "loop" in names:
+        if "loop" in line.insn.does:
             open_loops.append(number)
-        elif "next" in names and open_loops:
+        elif "next" in line.insn.does and open_loops:
             first = open_loops.pop()
             ends |= {first: number, number: first}
     return ends
@@ -110,10 +106,8 @@ def _clocks(program: Program) -> Iterator[tuple[Address, str, When]]:
     """Give each timer that ticks without its instruction, with the rule that its instruction names."""
     dialect = program.dialect
     for line in program.lines:
-        for verb in line.insn.then:
-            target = line.bound.get(verb.target)
-            if verb.name not in {"drive", "pin", "update"} or not isinstance(target, Address):
-                continue
+        for verb, target in line.targets:
             block = dialect.block(target)
-            if block and block.rule == "timer" and dialect.bank(target).when != "line":
+            driven = verb.name in {"drive", "pin", "update"} and block and block.rule == "timer"
+            if driven and dialect.bank(target).when != "line":
                 yield target, verb.op if verb.name == "drive" else "", dialect.bank(target).when

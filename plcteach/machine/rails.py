@@ -101,7 +101,7 @@ class Rails(Generic[S]):
         ended does not switch off what another has switched on in this scan [rec].
         """
         rail = self.world.rail
-        if not self.stepping or rail is None or not any(verb.name == "coil" for verb in one.line.insn.then):
+        if not self.stepping or rail is None or "coil" not in one.line.insn.does:
             return one
         written = []
         for address, value in one.written:

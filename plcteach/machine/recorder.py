@@ -13,9 +13,9 @@ from plcteach.core.diagnostic import Diagnostic, rule
 from plcteach.core.errors import PlcTeachError
 from plcteach.machine.blocks import AT_END
 from plcteach.machine.generated import Generated, Unsure, bit_of
-from plcteach.machine.signals import ONE, ZERO
-from plcteach.machine.store import Memory
-from plcteach.machine.sweep import address_of, in_word, spread, sweep
+from plcteach.machine.signals import ONE
+from plcteach.machine.store import Memory, in_word
+from plcteach.machine.sweep import address_of, spread, sweep
 from plcteach.machine.trace import APART, Trace
 from plcteach.machine.words import BITS, Number
 
@@ -29,8 +29,6 @@ if TYPE_CHECKING:
 
 PATIENCE = 24
 """So many scans run line by line before a program is written down; a short run never is."""
-
-_BITS = {0: ZERO, 1: ONE}
 
 
 def lapse(ms: object) -> int:
@@ -172,9 +170,7 @@ class Recorder:
                 continue
             place, given = self.named.get(name) or self.learn(name)
             into = held if given else once
-            if place.size == 1 and value in _BITS and not place.field:
-                into[place.text] = _BITS[value]
-            elif in_word(self.program.dialect, place):
+            if in_word(self.program.dialect, place):
                 memory = self.memory()
                 into |= spread(self.program, place, value, replace(memory, words={**memory.words, **once}))
             else:
@@ -189,7 +185,7 @@ class Recorder:
         found = self.named[name] = place, self.program.dialect.area(place).role == "input"
         return found
 
-    def watch(self, _number: int, one: Step[Column]) -> None:
+    def watch(self, one: Step[Column]) -> None:
         """Note the first x at every address."""
         for address, value in one.written:
             if value.unknown and address.text not in self.found:

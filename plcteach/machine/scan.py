@@ -9,9 +9,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
-from plcteach.core.area import Address
 from plcteach.machine.recorder import Recorder, lapse
-from plcteach.machine.store import Memory
+from plcteach.machine.store import PIN, Memory, owner
 from plcteach.machine.sweep import address_of, normal, spread, sweep
 from plcteach.machine.trace import SCAN_MS, Scan, Trace
 from plcteach.machine.words import BITS, Domain
@@ -43,14 +42,12 @@ def warm(program: Program, memory: Memory[Column]) -> Memory[Column]:
     dialect = program.dialect
 
     def stays(key: str) -> bool:
-        plain = key.partition("<")[0].partition("#")[0].partition(".ms")[0].partition(".g")[0]
-        whole = dialect.address(plain) or dialect.address(plain.rpartition(".")[0])
-        if not isinstance(whole, Address):
-            return False
-        return any(first <= whole.index <= last for first, last in dialect.retentive.get(whole.area, ()))
+        whole = owner(dialect, key)
+        ranges = dialect.retentive.get(whole.area, ()) if whole else ()
+        return any(whole and first <= whole.index <= last for first, last in ranges)
 
     bits = {
-        key: bit for key, bit in memory.bits.items() if stays(key) and "<" not in key and not key.endswith(".going")
+        key: bit for key, bit in memory.bits.items() if stays(key) and PIN not in key and not key.endswith(".going")
     }
     words = {key: number for key, number in memory.words.items() if stays(key)}
     return Memory(bits=bits, words=words, warm=True)

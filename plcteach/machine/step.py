@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
 from plcteach.core.effect import Flow, Shape, flow
-from plcteach.machine.deeds import DEEDS
+from plcteach.machine.deeds import DEEDS, ask
 from plcteach.machine.evaluation import Evaluation, Stacks, World
 from plcteach.machine.signals import Signal
 
@@ -61,7 +61,7 @@ def step(
         for place, (start, stop) in enumerate(moves.tails)
     )
     for verb in line.insn.then:
-        DEEDS[verb.name](doing, verb)
+        DEEDS.get(verb.name, ask)(doing, verb)
     return Step(
         line,
         before,

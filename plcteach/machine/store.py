@@ -21,6 +21,7 @@ if TYPE_CHECKING:
 
     from plcteach.core.area import Kind
     from plcteach.core.program import Arg, Compare, Program
+    from plcteach.core.spec import Dialect
     from plcteach.machine.words import Domain
 
 S = TypeVar("S", bound=Signal)
@@ -50,6 +51,18 @@ PIN, SEEN = "<", "?"
 """What stands in the key of a pin's last value, and behind the key that says where there is one."""
 
 
+def in_word(dialect: Dialect, place: Address) -> bool:
+    """Say whether an address is one bit of a word that is kept as a number."""
+    return bool(place.field) and place.size == 1 and bool(dialect.area(place).digits)
+
+
+def owner(dialect: Dialect, key: str) -> Address | None:
+    """Give the address that a key belongs to, be it a value or what a block remembers; None where there is none."""
+    plain = key.partition(PIN)[0].partition("#")[0]
+    found = dialect.address(plain) or dialect.address(plain.rpartition(".")[0])
+    return found if isinstance(found, Address) else None
+
+
 class Store(Generic[S]):
     """The bits and words of one moment, to be read."""
 
@@ -77,7 +90,7 @@ class Store(Generic[S]):
         if block and block.rule == "queue" and address.field == "E":
             empty: S = self.domain.number(0).ge(self.number(f"{self.dialect.whole(address).text}#"))
             return empty
-        if self.dialect.area(address).digits:
+        if in_word(self.dialect, address):
             bits: tuple[S, ...] = self.number(self.dialect.whole(address).text).bits(int(address.field) + 1)
             return bits[-1]
         return self.domain.zero
@@ -159,6 +172,11 @@ class Store(Generic[S]):
         declared = self.dialect.block(block)
         configured = declared and declared.settings and "TB" in declared.settings
         return int(self.setting(block, "TB")) if configured else self.dialect.bank(block).base
+
+    def output(self, timer: Address) -> str:
+        """Give the key of a timer's output bit: a field of its own, or the address itself."""
+        declared = self.dialect.block(timer)
+        return f"{timer.text}.{declared.bit}" if declared and declared.bit else timer.text
 
     def preset(self, block: Address, given: Arg | None) -> Any:
         """Give a preset: the operand's, or the one that stands in the block."""

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Hashable
 from typing import TYPE_CHECKING, Any, TypeVar
 
 from plcteach.core.area import Address
 from plcteach.core.errors import PlcTeachError, UnknownNameError
 from plcteach.machine.course import Course
 from plcteach.machine.signals import ONE, ZERO, Column, Signal, X
-from plcteach.machine.store import Memory
+from plcteach.machine.store import Memory, in_word
 from plcteach.machine.sums import real_bits
 from plcteach.machine.words import BITS, UNKNOWN, Domain, Number
 from plcteach.machine.world import Plant
@@ -31,19 +32,19 @@ def sweep(
     memory: Memory[S],
     inputs: Mapping[str, Any],
     domain: Domain[S],
-    watch: Callable[[int, Step[S]], None] | None = None,
+    watch: Callable[[Step[S]], None] | None = None,
     *,
     ms: int = 0,
     found: list[Diagnostic] | None = None,
 ) -> Memory[S]:
-    """Run one scan over any signal and give the memory after it; `watch` sees each step with its line number.
+    """Run one scan over any signal and give the memory after it; `watch` sees each step.
 
     ms: the time since the last scan began.  found: takes what the run itself has to say (a loop that ran away).
     """
     course = Course(Plant(program, memory, inputs, domain, ms))
-    for number, one in course.steps():
+    for one in course.steps():
         if watch:
-            watch(number, one)
+            watch(one)
     if found is not None:
         found += course.found
     return course.world.after()
@@ -79,23 +80,21 @@ def spread(program: Program, place: Address, value: Any, memory: Memory[Column] 
     return {**plant.bits, **plant.words}
 
 
-def in_word(dialect: Dialect, place: Address) -> bool:
-    """Say whether an address is one bit of a word that is kept as a number."""
-    return place.size == 1 and bool(place.field and dialect.area(place).digits)
-
-
 def _number(dialect: Dialect, place: Address, value: Any) -> Number:
     """Give a number as a word keeps it; a float for a double word is its 32 bits, in a family that works on reals."""
     if isinstance(value, float) and place.size == _LONG and any(one.real for one in dialect.kinds.values()):
         return Number(real_bits(value))
-    if not isinstance(value, int) or not -(1 << place.size >> 1) <= value < 1 << place.size:
+    if not isinstance(value, int) or not place.fits(value):
         msg = f"{place.text} has {place.size} bits, so it is a whole number that fits there, and not {value!r}"
         raise PlcTeachError(msg)
     return Number(value)
 
 
+_BITS: dict[object, Column] = {"x": X, 1: ONE, "1": ONE, 0: ZERO, "0": ZERO}
+
+
 def _bit(value: object, place: Address) -> Column:
-    found = {"x": X, 1: ONE, "1": ONE, 0: ZERO, "0": ZERO}.get(value) if isinstance(value, int | str) else None
+    found = _BITS.get(value) if isinstance(value, Hashable) else None
     if found is None:
         msg = f'{place.text} is a bit, so it is 0, 1 or "x", and not {value!r}'
         raise PlcTeachError(msg)

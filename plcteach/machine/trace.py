@@ -59,8 +59,8 @@ class Scan(Generic[S]):
 
     def walk(self) -> Iterator[tuple[Step[S], Plant[S]]]:
         """Execute the scan again, and give each step with the plant as it then is."""
-        world = Plant(self.program, self.before, self.inputs, self.domain, self.ms)
-        return ((one, world) for _, one in Course(world).steps())
+        world = self.start()
+        return ((one, world) for one in Course(world).steps())
 
     def start(self) -> Plant[S]:
         """Give the plant as the scan finds it: inputs read, time passed, no line executed."""
@@ -148,7 +148,8 @@ class Trace:
 
     def values(self, address: str) -> list[Any]:
         """Give what an address held at the end of every scan: bits, or numbers."""
-        return [self.value(address, number) for number in range(len(self.starts))]
+        place = address_of(self.program.dialect, address)
+        return [_Moment(self, number).value(place) for number in range(len(self.starts))]
 
     def value(self, address: str, number: int) -> Any:
         """Give what an address held at the end of one scan."""

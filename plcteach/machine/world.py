@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 from plcteach.machine.blocks import ticked_clock, timer_op
 from plcteach.machine.plan import plan_of
 from plcteach.machine.signals import Signal
-from plcteach.machine.store import PIN, REGISTER, SEEN, Memory, Store
+from plcteach.machine.store import PIN, REGISTER, SEEN, Memory, Store, in_word
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -21,6 +21,11 @@ if TYPE_CHECKING:
 S = TypeVar("S", bound=Signal)
 
 _IMMEDIATE = "now"
+
+
+def beat(what: str, scans: int, now: int) -> int:
+    """Give what a moving system bit is after so many scans: a clock is 1 in the second half of its period."""
+    return 1 - scans % 2 if what == "turns" else now * 2 // int(what) % 2
 
 
 class Plant(Store[S]):
@@ -63,16 +68,11 @@ class Plant(Store[S]):
             "later": not first,
             "cold": first and not self.memory.warm,
             "warm": first and self.memory.warm,
-            "turns": self.scans % 2 == 0,
         }
         return {
-            address: one if (self._clock(int(what)) if what.isdigit() else now[what]) else zero
+            address: one if (now[what] if what in now else beat(what, self.scans, self.now)) else zero
             for address, what in self.dialect.specials.items()
         }
-
-    def _clock(self, period: int) -> bool:
-        """Say whether a clock is in the second half of its period."""
-        return self.now * 2 // period % 2 == 1
 
     def tick(self, when: str, dt: Any) -> None:
         """Let time pass for the timers that run without their instruction, but not where the CPU is in STOP."""
@@ -81,9 +81,7 @@ class Plant(Store[S]):
         for target, op, moment in self.clocks:
             if moment == when:
                 clock = ticked_clock(self, target, timer_op(self, op, target), dt)
-                block = self.dialect.block(target)
-                key = f"{target.text}.{block.bit}" if block and block.bit else target.text
-                self.bits[key] = clock.bit
+                self.bits[self.output(target)] = clock.bit
                 self.bits[f"{target.text}.going"] = clock.going
                 self.words[f"{target.text}.ms"] = clock.ms
 
@@ -143,7 +141,7 @@ class Plant(Store[S]):
 
     def store(self, address: Address, value: Any, run: S | None = None) -> None:
         """Write a bit or a word where it is kept."""
-        if address.size == 1 and not (address.field and self.dialect.area(address).digits):
+        if address.size == 1 and not in_word(self.dialect, address):
             self.bits[address.text] = value if run is None else self.domain.pick(run, value, self.bit(address))
             return
         bits = self.dialect.bits_of(address)

@@ -166,16 +166,16 @@ class Section:
 
     def after(self, line: Line) -> None:
         """Go on behind a line: into a block's section, to its outputs, out of it."""
-        verbs = {verb.name for verb in line.insn.then}
-        if "open" in verbs:
+        does = line.insn.does
+        if "open" in does:
             if self.block:
                 self.operands.say("BLK001", line.span, word=line.text, block=self.block.text)
             place = line.args[0]
             self.block, self.opened, self.part = place if isinstance(place, Address) else None, line.span, "inputs"
-        elif "update" in verbs:
+        elif "update" in does:
             ends = line.insn.word == CLOSE
             self.block, self.part = (None, "") if ends else (self.block, "outputs")
-        elif self.block and (verbs & _ELSEWHERE or ("pin" in verbs and not line.said)):
+        elif self.block and (does & _ELSEWHERE or ("pin" in does and not line.said)):
             self.operands.say("BLK006", line.span, word=line.text, block=self.block.text)
 
     def close(self) -> None:

@@ -8,9 +8,9 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Literal
 
 from plcteach.core.diagnostic import Diagnostic, few, rule
-from plcteach.core.source import MOST_CHARACTERS, Span, decode, half_width
-from plcteach.core.text import Text
+from plcteach.core.source import MOST_CHARACTERS, Span, decode, half_width, rows_of
 from plcteach.stl.listing import Cell, cells
+from plcteach.stl.words import too_long
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
@@ -73,7 +73,6 @@ def _plain(address: str) -> str:
 
 _LEADING_ZEROS = re.compile(r"^(%?[A-Z]+)0+(?=\d)")
 _LIKE_AN_ADDRESS = re.compile(r"%?[A-Z]{1,4}\d+(?:\.\d+)?", re.IGNORECASE)
-_ROW_ENDS = re.compile(r"\r\n|\n|\r")
 _CONTROL = re.compile(r"[\x00-\x08\x0e-\x1f\x7f]")
 _SPACED = re.compile(r'\s*(?:"(?P<quoted>[^"]*)"|(?P<bare>\S+))(?:\s+(?P<address>\S+))?(?:\s+(?P<comment>\S.*))?')
 _FIRST_ROWS = 40
@@ -103,7 +102,7 @@ class _Layout:
 
 def is_symbols(text: str) -> bool:
     """Say whether a text is a symbol table with heads over its columns."""
-    rows = _ROW_ENDS.split(text[: _FIRST_ROWS * LONGEST_ROW])
+    rows = rows_of(text[: _FIRST_ROWS * LONGEST_ROW])
     return _headed(rows, _delimiter(rows)) is not None
 
 
@@ -115,8 +114,8 @@ def read_symbols(text: str | bytes, *, encoding: str | None = None) -> Symbols:
     """
     source = text if isinstance(text, str) else decode(text, encoding)
     if len(source) > MOST_CHARACTERS:
-        return Symbols((), (_too_long(1, f"{len(source)}", f"{MOST_CHARACTERS}"),))
-    rows = _ROW_ENDS.split(source)
+        return Symbols((), (too_long(Span(1), len(source), MOST_CHARACTERS, "个字符", "characters"),))
+    rows = rows_of(source)
     delimiter = _delimiter(rows)
     layout = _headed(rows, delimiter) or _unheaded(rows, delimiter)
     table = _Table(layout)
@@ -124,14 +123,8 @@ def read_symbols(text: str | bytes, *, encoding: str | None = None) -> Symbols:
         if number > layout.above:
             table.row(number, row)
     if len(rows) > MOST_ROWS:
-        table.found.append(_too_long(MOST_ROWS + 1, f"{len(rows)}", f"{MOST_ROWS}"))
+        table.found.append(too_long(Span(MOST_ROWS + 1), len(rows), MOST_ROWS, "行", "rows"))
     return Symbols(tuple(table.rows), tuple(few(table.found)))
-
-
-def _too_long(row: int, size: str, most: str) -> Diagnostic:
-    unit = Text("行", " rows") if row > 1 else Text("个字符", " characters")
-    words = {name: Text(value + unit.zh, value + unit.en) for name, value in (("size", size), ("most", most))}
-    return rule("RDR013").at(Span(row), **words)
 
 
 def _delimiter(rows: Sequence[str]) -> str:

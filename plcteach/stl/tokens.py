@@ -6,10 +6,10 @@ import re
 from typing import TYPE_CHECKING
 
 from plcteach.core.diagnostic import rule
-from plcteach.core.source import MOST_CHARACTERS, Span, half_width
+from plcteach.core.source import MOST_CHARACTERS, Span, half_width, rows_of
 from plcteach.core.text import Text
 from plcteach.stl.listing import layout_of
-from plcteach.stl.words import Heading, Statement, Tokens, Word, closed, pieces, split
+from plcteach.stl.words import Heading, Statement, Tokens, Word, closed, pieces, split, too_long
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -31,7 +31,6 @@ _BLOCK = re.compile(
     re.IGNORECASE,
 )
 _SUBROUTINE = re.compile(r"SBR_?(\d{1,9})", re.IGNORECASE)
-_ROW_ENDS = re.compile(r"\r\n|\n|\r")
 _VARIABLES = re.compile(r"\s*VAR(?:_INPUT|_OUTPUT|_IN_OUT|_TEMP)?\s*", re.IGNORECASE)
 _SIGNS = re.compile(r"[\s/:;]*(?:\(\*(?P<block>.*)\*\)\s*|(?P<bare>.*))")
 _COMMENT_OPENS = re.compile(r'"[^"]*"|//|\(\*')
@@ -60,11 +59,12 @@ class _Cutter:
             self.row(number, row)
             if len(self.out.items) > MOST_STATEMENTS:
                 more = Text(f"{MOST_STATEMENTS}条指令以上", f"more than {MOST_STATEMENTS} instructions")
-                self.too_long(Span(number), more, Text(f"{MOST_STATEMENTS}条", f"{MOST_STATEMENTS}"))
+                most = Text(f"{MOST_STATEMENTS}条", f"{MOST_STATEMENTS}")
+                self.out.diagnostics.append(rule("RDR013").at(Span(number), size=more, most=most))
                 del self.out.items[MOST_STATEMENTS:]
                 break
         if len(rows) > MOST_ROWS:
-            self.too_long(Span(MOST_ROWS + 1), _rows(len(rows)), _rows(MOST_ROWS))
+            self.out.diagnostics.append(too_long(Span(MOST_ROWS + 1), len(rows), MOST_ROWS, "行", "rows"))
         if self.opened:
             self.out.diagnostics.append(rule("RDR009").at(self.opened))
         if self.variables:
@@ -72,12 +72,10 @@ class _Cutter:
         self.out.tail = tuple(self.comments)
         return self.out
 
-    def too_long(self, span: Span, size: Text, most: Text) -> None:
-        self.out.diagnostics.append(rule("RDR013").at(span, size=size, most=most))
-
     def row(self, number: int, given: str) -> None:
         if len(given) > LONGEST_ROW:
-            self.too_long(Span(number, LONGEST_ROW, len(given)), _characters(len(given)), _characters(LONGEST_ROW))
+            rest = Span(number, LONGEST_ROW, len(given))
+            self.out.diagnostics.append(too_long(rest, len(given), LONGEST_ROW, "个字符", "characters"))
             given = given[:LONGEST_ROW]
         control = _CONTROL.search(given)
         if control:
@@ -262,20 +260,9 @@ def _title(plain: str, given: str) -> str:
     return given.strip()
 
 
-def _rows(count: int) -> Text:
-    return Text(f"{count}行", f"{count} rows")
-
-
-def _characters(count: int) -> Text:
-    return Text(f"{count}个字符", f"{count} characters")
-
-
 def cut(text: str, *, closers: bool) -> Tokens:
     """Cut a text or a table into statements and headings; `closers`: the family closes parentheses with a `)` of its own."""
     if len(text) > MOST_CHARACTERS:
-        out = Tokens()
-        size, most = _characters(len(text)), _characters(MOST_CHARACTERS)
-        out.diagnostics.append(rule("RDR013").at(Span(1), size=size, most=most))
-        return out
-    rows = _ROW_ENDS.split(text)
+        return Tokens(diagnostics=[too_long(Span(1), len(text), MOST_CHARACTERS, "个字符", "characters")])
+    rows = rows_of(text)
     return _Cutter(closers=closers, layout=layout_of(rows)).cut(rows)

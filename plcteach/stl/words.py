@@ -6,7 +6,9 @@ import re
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
+from plcteach.core.diagnostic import rule
 from plcteach.core.source import Span
+from plcteach.core.text import counted
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -28,6 +30,11 @@ class Word:
 
 
 _SHOWN = 24
+
+
+def too_long(span: Span, size: int, most: int, zh: str, en: str) -> Diagnostic:
+    """Say that there are more of something than are read."""
+    return rule("RDR013").at(span, size=counted(size, zh, en), most=counted(most, zh, en))
 
 
 @dataclass(slots=True)

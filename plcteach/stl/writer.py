@@ -51,7 +51,7 @@ def _blocks(program: Program) -> Iterator[tuple[str, list[Network]]]:
 
 def _begins(line: Line) -> bool:
     """Say whether a line begins a subroutine by itself, so that nothing need stand around it (NEZA's `SR0:`)."""
-    return any(verb.name == "entry" for verb in line.insn.then)
+    return "entry" in line.insn.does
 
 
 def _begin(block: str) -> str:

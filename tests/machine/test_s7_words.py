@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
-import operator
 import struct
+import sys
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 import pytest
@@ -14,6 +15,9 @@ from hypothesis import strategies as st
 from plcteach.machine import run
 from plcteach.machine.lanes import lanes
 from plcteach.stl import read
+
+sys.path.insert(0, str(Path(__file__).parent))
+from direct import RELATIONS
 
 pytestmark = pytest.mark.no_cover  # many programs: measured lines would take most of the time
 
@@ -316,16 +320,6 @@ def test_an_accumulator_gives_as_much_as_is_asked_for_and_keeps_the_rest() -> No
     found = run(read(text, "s7-200"))
     assert [found.value(place, 0).value & 0xFFFFFFFF for place in ("VW0", "VB2", "AC0")] == [0x5678, 0x78, 0x12345600]
     assert found.value("AC1", 0).value == 0xFFFF
-
-
-RELATIONS = {
-    "=": operator.eq,
-    "<>": operator.ne,
-    ">=": operator.ge,
-    "<=": operator.le,
-    ">": operator.gt,
-    "<": operator.lt,
-}
 
 
 @pytest.mark.parametrize("relation", RELATIONS)

@@ -5,11 +5,11 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from plcteach.check.rules.registry import PROGRAM_RULES, finds
-from plcteach.core.area import Address
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
+    from plcteach.core.area import Address
     from plcteach.core.block import BlockRule
     from plcteach.core.diagnostic import Diagnostic, Rule
     from plcteach.core.program import Line, Program
@@ -18,10 +18,9 @@ if TYPE_CHECKING:
 def _driven(program: Program, rule: BlockRule) -> Iterator[tuple[Address, Line, str]]:
     """Give each pin of a kind of block that a line puts a value on, with the block."""
     for line in program.lines:
-        for verb in line.insn.then:
-            target = line.bound.get(verb.target)
-            block = program.dialect.block(target) if isinstance(target, Address) else None
-            if verb.name == "pin" and isinstance(target, Address) and block and block.rule == rule:
+        for verb, target in line.targets:
+            block = program.dialect.block(target)
+            if verb.name == "pin" and block and block.rule == rule:
                 yield target, line, verb.op
 
 
@@ -31,9 +30,8 @@ def shifts_only_zeros(program: Program, row: Rule) -> Iterator[Diagnostic]:
     written = {
         program.dialect.whole(place).text
         for line in program.lines
-        for verb in line.insn.then
-        for place in [line.bound.get(verb.target)]
-        if isinstance(place, Address) and place.field and verb.name in {"coil", "set"}
+        for verb, place in line.targets
+        if place.field and verb.name in {"coil", "set"}
     }
     said: set[str] = set()
     for block, line, pin in _driven(program, "bits"):

@@ -40,8 +40,8 @@ def double_coil(program: Program, row: Rule) -> Iterator[Diagnostic]:
 
 def _step(line: Line, step: str) -> str:
     """Give the step that a line belongs to, "" outside of all."""
-    names = {verb.name for verb in line.insn.then}
-    return line.text if "step" in names else "" if "rail" in names else step
+    does = line.insn.does
+    return line.text if "step" in does else "" if "rail" in does else step
 
 
 @finds("COI002", PROGRAM_RULES)
@@ -49,10 +49,8 @@ def edge_memory_shared(program: Program, row: Rule) -> Iterator[Diagnostic]:
     """The bit in which an edge instruction keeps the last flow is written by another line as well."""
     writers: dict[str, list[Line]] = {}
     for line in program.lines:
-        for verb in line.insn.then:
-            target = line.bound.get(verb.target)
-            if isinstance(target, Address):
-                writers.setdefault(target.text, []).append(line)
+        for _, target in line.targets:
+            writers.setdefault(target.text, []).append(line)
     for line in program.lines:
         memory = next((line.bound["m"] for verb in line.insn.then if verb.target == "m"), None)
         others = [one for one in writers[memory.text] if one is not line] if isinstance(memory, Address) else []

@@ -20,10 +20,8 @@ _PLACES: tuple[tuple[VerbName, VerbName], ...] = (("jump", "label"), ("call", "e
 def _named(line: Line, name: VerbName) -> str:
     """Give the label or subroutine that a line names with a verb, spelled as the list does; "" where it names none."""
     for verb in line.insn.then:
-        number = line.bound.get(verb.target)
-        if verb.name == name and isinstance(number, int):
-            mark = next(operand.mark for operand in line.insn.operands if operand.name == verb.target)
-            return f"{mark}{number}"
+        if verb.name == name and isinstance(line.bound.get(verb.target), int):
+            return line.spell(verb.target)
     return ""
 
 
@@ -49,7 +47,7 @@ def no_such_place(program: Program, row: Rule) -> Iterator[Diagnostic]:
 
 def _label(program: Program, name: str) -> str:
     """Spell a label as its own line would."""
-    rows = [row for row in program.dialect.insns if any(verb.name == "label" for verb in row.then)]
+    rows = [row for row in program.dialect.insns if "label" in row.does]
     return name if not name.isdigit() or not rows else f"{rows[0].word} {name}"
 
 
@@ -82,6 +80,6 @@ def jump_inside_branch(walk: Walk, row: Rule) -> Iterator[Diagnostic]:
     kept = [number for number, stack in enumerate(walk.dialect.stacks) if stack.name == "branch"]
     roles = walk.dialect.roles
     for move in walk.moves:
-        goes = any(verb.name in {"jump", "label", "call", "entry"} for verb in move.line.insn.then)
+        goes = move.line.insn.does & {"jump", "label", "call", "entry"}
         if goes and any(move.before[number] for number in kept):
             yield row.at(move.line.span, word=move.line.text, push=roles["push"], pop=roles["pop"])

@@ -25,13 +25,13 @@ def _loops(program: Program) -> Iterator[tuple[str, Line, int]]:
         while waiting and waiting[-1][0] != network.block:
             yield "open", waiting.pop()[1], 0
         for line in network.lines:
-            verbs = {verb.name for verb in line.insn.then}
-            if "loop" in verbs:
+            does = line.insn.does
+            if "loop" in does:
                 waiting.append((network.block, line))
                 yield "", line, len(waiting)
-            elif "next" in verbs and waiting:
+            elif "next" in does and waiting:
                 waiting.pop()
-            elif "next" in verbs:
+            elif "next" in does:
                 yield "stray", line, 0
     for _, line in reversed(waiting):
         yield "open", line, 0

@@ -25,11 +25,6 @@ class _Event:
     other: Line | None = None
 
 
-def verbs(line: Line) -> set[str]:
-    """Give the names of what a line does beside its stack effect."""
-    return {verb.name for verb in line.insn.then}
-
-
 def _number(line: Line) -> int:
     return next((arg for arg in line.args if isinstance(arg, int)), 0)
 
@@ -39,7 +34,7 @@ def _masters(program: Program) -> Iterator[_Event]:
     waiting: list[Line] = []
     step: Line | None = None
     for line in program.lines:
-        does = verbs(line)
+        does = line.insn.does
         step = line if "step" in does else None if "rail" in does else step
         if "master" in does:
             if step:
@@ -58,7 +53,7 @@ def _masters(program: Program) -> Iterator[_Event]:
 
 def _partner(program: Program, verb: str, line: Line) -> str:
     """Give the instruction that begins or ends what a line is about, with the same number."""
-    row = next(row for row in program.dialect.insns if any(one.name == verb for one in row.then))
+    row = next(row for row in program.dialect.insns if verb in row.does)
     mark = row.operands[0].mark if row.operands else ""
     return f"{row.word} {mark}{_number(line)}" if mark else row.word
 
@@ -100,7 +95,7 @@ def master_in_step(program: Program, row: Rule) -> Iterator[Diagnostic]:
 def branch_after_step(program: Program, row: Rule) -> Iterator[Diagnostic]:
     """A push stands right behind a step's contact."""
     for above, line in zip(program.lines, program.lines[1:], strict=False):
-        if "step" in verbs(above) and program.dialect.parts.get(line.insn.mnemonic) == "push":
+        if "step" in above.insn.does and program.dialect.parts.get(line.insn.mnemonic) == "push":
             yield row.at(line.span, word=line.text, step=above.text, load=program.dialect.roles["load"])
 
 
@@ -109,7 +104,7 @@ def steps_open(program: Program, row: Rule) -> Iterator[Diagnostic]:
     """Steps are begun and never ended."""
     step: Line | None = None
     for line in program.lines:
-        does = verbs(line)
+        does = line.insn.does
         step = line if "step" in does else None if "rail" in does else step
     if step:
         yield row.at(step.span, word=step.text, end=_partner(program, "rail", step))

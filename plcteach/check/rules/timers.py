@@ -5,12 +5,12 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from plcteach.check.rules.registry import PROGRAM_RULES, finds
-from plcteach.core.area import Address
 from plcteach.core.text import Text, same
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
+    from plcteach.core.area import Address
     from plcteach.core.diagnostic import Diagnostic, Rule
     from plcteach.core.program import Line, Program
     from plcteach.core.spec import Dialect
@@ -69,7 +69,7 @@ def _breaks(line: Line, timer: Address) -> bool:
 
 
 def _tells_by_number(dialect: Dialect) -> bool:
-    return any(verb.op == _RETENTIVE for insn in dialect.insns for verb in insn.then)
+    return any(row.retentive for row in dialect.insns)
 
 
 def _driven(program: Program) -> Iterator[tuple[Line, Address, str]]:
@@ -78,12 +78,10 @@ def _driven(program: Program) -> Iterator[tuple[Line, Address, str]]:
 
 
 def _drives(program: Program, line: Line) -> Iterator[tuple[Line, Address, str]]:
-    for verb in line.insn.then:
-        timer = line.bound.get(verb.target)
-        if verb.name == "drive" and isinstance(timer, Address):
-            block = program.dialect.block(timer)
-            if block and block.rule == "timer":
-                yield line, timer, verb.op
+    for verb, timer in line.targets:
+        block = program.dialect.block(timer)
+        if verb.name == "drive" and block and block.rule == "timer":
+            yield line, timer, verb.op
 
 
 def _fitting(dialect: Dialect, timer: Address, *, retains: bool) -> list[str]:
