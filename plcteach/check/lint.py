@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING
 from plcteach.check.rules import PROGRAM_RULES, STACK_RULES
 from plcteach.core.diagnostic import Diagnostic, errors, few, rule
 from plcteach.core.text import Text, language
-from plcteach.dialects import families
+from plcteach.dialects import families, names
+from plcteach.ladder.either import read_either
 from plcteach.machine.walk import Walk, walk
 from plcteach.stl import read
 
@@ -45,9 +46,12 @@ NOTHING_FOUND = Text("没有发现问题。", "Nothing to remark.")
 
 
 def lint(program: Program | str, dialect: str | Dialect | None = None) -> Findings:
-    """Give all findings in order of place; a network with an unreadable line is not judged by its stack."""
+    """Give all findings in order of place; a network with an unreadable line is not judged by its stack.
+
+    Of a ladder drawing: what keeps it from being read, else what there is to say of the list that it becomes.
+    """
     if isinstance(program, str):
-        program = read(program, dialect)
+        program = read_either(program, dialect or names()[0])
     found = list(program.diagnostics)
     found += [one for row, finder in PROGRAM_RULES.values() for one in finder(program, row)]
     found += _other_family(program)

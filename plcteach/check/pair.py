@@ -162,7 +162,7 @@ def pair_of(reference: Program, student: Program, wanted: tuple[str, ...]) -> Pa
             areas.setdefault(text, place)
     role = {text: reference.dialect.area(address).role for text, address in areas.items()}
     inputs = {text for text in mine.reads | theirs.reads if role.get(text) == "input"}
-    inputs |= {text for text in mine.reads if text not in written | driven}
+    inputs |= {text for text in mine.reads if text in areas and text not in written | driven}
     outputs = wanted or _compared(mine, role)
     order = {
         text: number

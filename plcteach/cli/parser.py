@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from plcteach import __version__
+from plcteach.cli import ladders
 from plcteach.cli import verbs as verbs_of
 from plcteach.dialects import names
 
@@ -33,6 +34,7 @@ def parser_of_all() -> argparse.ArgumentParser:
     verbs = parser.add_subparsers(title="verbs", metavar="VERB")
     _judging_verbs(verbs, reading)
     _showing_verbs(verbs, common, family)
+    _ladder_verbs(verbs, reading)
     _making_verbs(verbs, common, reading)
     return parser
 
@@ -93,6 +95,38 @@ def _showing_verbs(verbs: Any, common: argparse.ArgumentParser, family: argparse
         "word", nargs="*", help="OLD, LDS 3, STK001 …; with --dialect and no word, list that family's instructions"
     )
     one.add_argument("--dialect", choices=names(), help="PLC family (default: the first that has it)")
+
+
+def _ladder_verbs(verbs: Any, reading: argparse.ArgumentParser) -> None:
+    json: dict[str, Any] = {"action": "store_true", "help": "print JSON only"}
+
+    one = _verb(
+        verbs, "ladder", ladders.ladder_verb, [reading], "draw a program as a ladder, with what no ladder can show"
+    )
+    one.add_argument("file", help="a list, a ladder drawing or a PLCopen file; - for standard input")
+    kinds = ".svg, .pdf or .png, .txt for a drawing, .xml for PLCopen (default: the drawing to standard output)"
+    one.add_argument("-o", "--output", type=Path, help=kinds)
+    one.add_argument(
+        "--style", choices=["relay", "iec"], default="relay", help="round coils, or coils as the standard has them"
+    )
+    one.add_argument("--legend", action="store_true", help="with the meaning of the signs")
+    one.add_argument("--formulas", action="store_true", help="with the Boolean formula of each output")
+    one.add_argument("--json", **json)
+
+    one = _verb(verbs, "lower", ladders.lower_verb, [reading], "write a ladder out as an instruction list")
+    one.add_argument("file", metavar="drawing", help="a ladder drawing, a PLCopen file or a list; - for standard input")
+    one.add_argument("--grouped", action="store_true", help="joins together behind their blocks, not one after each")
+    one.add_argument("--unfused", action="store_true", help="each contact a block of its own: a load and a join")
+    one.add_argument("--reasons", action="store_true", help="with the reason for each inserted instruction")
+    one.add_argument("--json", **json)
+
+    one = _verb(verbs, "translate", ladders.translate_verb, [reading], "carry a program from one family to another")
+    one.add_argument("file", help="the program; - for standard input")
+    one.add_argument(
+        "--from", dest="source", choices=names(), help=f"the family it is written for (default {names()[0]})"
+    )
+    one.add_argument("--to", choices=names(), required=True, help="the family to write it for")
+    one.add_argument("--json", **json)
 
 
 def _making_verbs(verbs: Any, common: argparse.ArgumentParser, reading: argparse.ArgumentParser) -> None:

@@ -14,16 +14,19 @@ from plcteach.core.source import decode
 from plcteach.core.text import language
 from plcteach.dialects import dialect as find_dialect
 from plcteach.dialects import names
-from plcteach.ladder.either import read_either
+from plcteach.ladder.either import ladder_either, read_either
 from plcteach.machine.scan import SCAN_MS
 from plcteach.machine.timeline import timeline
 from plcteach.stl.symbols import read_symbols
 
 if TYPE_CHECKING:
     import argparse
+    from collections.abc import Iterable
 
+    from plcteach.core.diagnostic import Diagnostic
     from plcteach.core.program import Program
     from plcteach.core.spec import Dialect
+    from plcteach.ladder.either import Given
     from plcteach.stl.symbols import Symbols
 
 
@@ -56,17 +59,28 @@ def program_of(name: str, options: argparse.Namespace) -> Program:
     return read_either(text_of(name, options), family_of(options), symbols_of(options))
 
 
+def ladder_of(name: str, options: argparse.Namespace) -> tuple[Given, str]:
+    """Read a ladder drawing, or lift a list, in the family that the caller chose; gives the text too."""
+    text = text_of(name, options)
+    return ladder_either(text, family_of(options), symbols_of(options)), text
+
+
 def symbols_of(options: argparse.Namespace) -> Symbols | None:
-    """Read the symbol table that the caller named."""
-    name = getattr(options, "symbols", None)
-    if not name:
-        return None
-    table = read_symbols(_content(name), encoding=options.encoding)
-    wrong = errors(table.diagnostics)
+    """Read the symbol table that the caller named, once a command."""
+    name: str | None = getattr(options, "symbols", None)
+    if name and "table" not in options:
+        table = read_symbols(_content(name), encoding=options.encoding)
+        _refuse_wrong(name, table.diagnostics)
+        options.table = table
+    return options.table if name else None
+
+
+def _refuse_wrong(name: str, found: Iterable[Diagnostic]) -> None:
+    """Refuse a file with an error in it; CallError gives the first one with its row."""
+    wrong = errors(found)
     if wrong:
         msg = f"{name}: row {wrong[0].span.row}: {wrong[0].text.in_(language())}"
         raise CallError(msg)
-    return table
 
 
 def scans_of(name: str | None, program: Program, options: argparse.Namespace) -> list[dict[str, Any]]:
@@ -118,7 +132,7 @@ def _check(name: str, address: str, value: object, program: Program) -> None:
         what = "a word, so it is a whole number" if word else "a bit, so it is 0 or 1"
         msg = f"{name}: {address} is {what}"
         raise CallError(msg)
-    if isinstance(place, Address) and not -(1 << place.size >> 1) <= value < 1 << place.size:
+    if isinstance(place, Address) and not place.fits(value):
         msg = f"{name}: {address} has {place.size} bits, and {value} does not fit"
         raise CallError(msg)
     if address == "ms" and not 0 <= value <= MOST_MS:
@@ -131,10 +145,7 @@ MOST_MS = 3_600_000
 
 def _timeline_of(name: str, text: str, program: Program, scan_ms: int) -> list[dict[str, Any]]:
     found = timeline(text, program.dialect, scan_ms=scan_ms)
-    wrong = errors(found.diagnostics)
-    if wrong:
-        msg = f"{name}: row {wrong[0].span.row}: {wrong[0].text.in_(language())}"
-        raise CallError(msg)
+    _refuse_wrong(name, found.diagnostics)
     return list(found.scans())
 
 

@@ -119,17 +119,17 @@ def chart_verb(options: argparse.Namespace) -> int:
         return WRONG
     trace = run(program, scans_of(options.inputs, program, options), scan_ms=options.scan_ms)
     shown = watched_of(options.watch, program, options).values() if options.watch else ()
-    return _drawn(chart_of(trace, shown), options)
+    return drawn(chart_of(trace, shown), options)
 
 
 def figure_verb(options: argparse.Namespace) -> int:
     """Draw an instruction's before/after figure."""
     from plcteach.figure.stack import illustrate
 
-    return _drawn(illustrate(family_of(options), options.mnemonic.upper(), options.number), options)
+    return drawn(illustrate(family_of(options), options.mnemonic.upper(), options.number), options)
 
 
-def _drawn(scene: Any, options: argparse.Namespace) -> int:
+def drawn(scene: Any, options: argparse.Namespace) -> int:
     """Write a picture to the file that was asked for, else as SVG to standard output."""
     from plcteach.figure.svg import svg
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Literal
 
-from plcteach.core.errors import UnknownNameError
+from plcteach.core.errors import PlcTeachError, UnknownNameError
 from plcteach.core.text import NOTHING, Text, language
 
 if TYPE_CHECKING:
@@ -87,6 +87,13 @@ def few(found: list[Diagnostic]) -> list[Diagnostic]:
 def errors(diagnostics: Iterable[Diagnostic]) -> list[Diagnostic]:
     """Give the findings that keep a program from being run."""
     return [one for one in diagnostics if one.severity == "error"]
+
+
+def refuse(found: Iterable[Diagnostic]) -> None:
+    """Raise the first error, if there is one, as a PlcTeachError with its row."""
+    for one in errors(found):
+        msg = f"row {one.span.row}: {one.text.in_(language())}"
+        raise PlcTeachError(msg)
 
 
 def rule(code: str) -> Rule:
@@ -1096,12 +1103,12 @@ _ROWS = (
         "bracket-open",
         "error",
         Text(
-            "这个 {word} 没有配对的另一半。触点或线圈到哪里为止？",
-            "This {word} has no partner on its row. Where does the contact or coil end?",
+            "这个 {word} 没有配对的另一半。触点、线圈或方框到哪里为止？",
+            "This {word} has no partner on its row. Where does the contact, coil or box end?",
         ),
         Text(
-            "触点写成 [ I0.0 ]，线圈写成 ( Q0.0 )，左右括号在同一行。",
-            "A contact is [ I0.0 ], a coil ( Q0.0 ), both brackets on one row.",
+            "触点写成 [ I0.0 ]，线圈写成 ( Q0.0 )，方框写成 { TON T37, 50 }，左右括号在同一行。",
+            "A contact is [ I0.0 ], a coil ( Q0.0 ), a box { TON T37, 50 }, both brackets on one row.",
         ),
     ),
     Rule(
@@ -1109,12 +1116,14 @@ _ROWS = (
         "contact-unread",
         "error",
         Text(
-            "读不出触点 {word}。可以写 [ I0.0 ]、[/I0.0]、[P I0.0]、[N I0.0] 或 [NOT]，这里是哪一种？",
-            "{word} does not read as a contact. [ I0.0 ], [/I0.0], [P I0.0], [N I0.0] and [NOT] do; which is meant?",
+            "读不出触点 {word}。可以写 [ I0.0 ]、[/I0.0]、[P I0.0]、[I I0.0]、[ VW0 >= 5 ]、[P] 或 [NOT]，这里是哪一种？",
+            "{word} does not read as a contact. [ I0.0 ], [/I0.0], [P I0.0], [I I0.0], [ VW0 >= 5 ], [P] and [NOT] do; "
+            "which is meant?",
         ),
         Text(
-            "一个触点只看一个位：常开、常闭、上升沿或下降沿。",
-            "A contact looks at one bit: open, closed, rising or falling.",
+            "一个触点看一个位（常开、常闭、上升沿或下降沿），或者比较两个字；[NOT]、[P]、[N] 处理左边来的能流。",
+            "A contact looks at one bit (open, closed, rising, falling) or compares two words; [NOT], [P] and [N] work on the "
+            "flow from the left.",
         ),
     ),
     Rule(
@@ -1122,8 +1131,9 @@ _ROWS = (
         "coil-unread",
         "error",
         Text(
-            "读不出线圈 {word}。可以写 ( Q0.0 )、(S Q0.0)、(S Q0.0 3)、(R Q0.0) 或 (/ Q0.0)，这里是哪一种？",
-            "{word} does not read as a coil. ( Q0.0 ), (S Q0.0), (S Q0.0 3), (R Q0.0) and (/ Q0.0) do; which is meant?",
+            "读不出线圈 {word}。可以写 ( Q0.0 )、(S Q0.0)、(S Q0.0 3)、(R Q0.0)、(/ Q0.0)、(P M0.0) 或 (I Q0.0)，这里是哪一种？",
+            "{word} does not read as a coil. ( Q0.0 ), (S Q0.0), (S Q0.0 3), (R Q0.0), (/ Q0.0), (P M0.0) and (I Q0.0) do; "
+            "which is meant?",
         ),
         Text(
             "一个线圈写一个位；置位和复位还可以写出位数（1–255）。",
@@ -1132,15 +1142,17 @@ _ROWS = (
     ),
     Rule(
         "DRW005",
-        "box-not-yet",
+        "box-unread",
         "error",
         Text(
-            "方框 {word} 认得出，但现在还不能读。这一级能先只用触点和线圈画吗？",
-            "The box {word} is recognised but not read yet. Can this rung be drawn with contacts and coils?",
+            "读不出方框 {word}。可以写 {{ TON T37, 50 }}，几个输入时写 {{CU: CTU C0, 3 }}，下面再写 {{R: }}，这里是哪一种？",
+            "{word} does not read as a box. {{ TON T37, 50 }} does, and with several inputs {{CU: CTU C0, 3 }} above {{R: }}; "
+            "which is meant?",
         ),
         Text(
-            "现在的图只收触点和线圈；定时器、计数器等方框以后再加。",
-            "Drawings take contacts and coils for now; timers, counters and other boxes come later.",
+            "方框里是一条指令，照指令表的写法；有几个输入时，前面写这一行的输入名和冒号。",
+            "A box holds one instruction as a list has it; where it has several inputs, the name of this row's input and a "
+            "colon come first.",
         ),
     ),
     Rule(
@@ -1161,10 +1173,13 @@ _ROWS = (
         "no-coil",
         "error",
         Text(
-            "这条支路到{word}就结束了，后面没有线圈。它要控制什么？",
-            "This path ends after {word}, with no coil. What should it drive?",
+            "这条支路到{word}就结束了，后面没有线圈，也没有方框。它要控制什么？",
+            "This path ends after {word}, with no coil and no box. What should it drive?",
         ),
-        Text("每条支路从左母线出发，最后到一个线圈。", "Every path starts at the left rail and ends in a coil."),
+        Text(
+            "每条支路从左母线出发，最后到一个线圈或方框。",
+            "Every path starts at the left rail and ends in a coil or a box.",
+        ),
     ),
     Rule(
         "DRW008",
@@ -1207,12 +1222,12 @@ _ROWS = (
         "behind-coil",
         "error",
         Text(
-            "{word}画在线圈的右边。线圈是一级的终点，它该放在线圈左边吗？",
-            "{word} stands to the right of a coil, where a rung ends. Does it belong to the left of the coil?",
+            "{word}画在线圈或方框的右边。一级到那里就是终点，它该放在左边吗？",
+            "{word} stands to the right of a coil or box, where a rung ends. Does it belong to the left of that?",
         ),
         Text(
-            "线圈右边只有右母线；几个线圈要上下并联。",
-            "Right of a coil there is only the right rail; several coils stand below each other.",
+            "线圈和方框右边只有右母线；几个输出要上下并联。",
+            "Right of a coil or box there is only the right rail; several outputs stand below each other.",
         ),
     ),
     Rule(
@@ -1237,8 +1252,8 @@ _ROWS = (
             "Here stands {word}; expected was {expected}. What is meant here?",
         ),
         Text(
-            "一行式写成 (I0.0 + Q0.0) · /I0.1 -> Q0.0：先写条件，再写箭头和线圈。",
-            "On one line a rung is (I0.0 + Q0.0) · /I0.1 -> Q0.0: the condition, an arrow, the coils.",
+            "一行式写成 (I0.0 + Q0.0) · /I0.1 -> Q0.0：先写条件，再写箭头和输出。",
+            "On one line a rung is (I0.0 + Q0.0) · /I0.1 -> Q0.0: the condition, an arrow, the outputs.",
         ),
     ),
     Rule(
@@ -1261,7 +1276,10 @@ _ROWS = (
             "这里没有一级梯形图。例如 --[ I0.0 ]--( Q0.0 )，从哪个触点开始？",
             "There is no rung here. One is --[ I0.0 ]--( Q0.0 ). Which contact comes first?",
         ),
-        Text("一级梯形图至少有一个触点和一个线圈。", "A rung has at least a contact and a coil."),
+        Text(
+            "一级梯形图至少有一个线圈或方框，左边是它的条件。",
+            "A rung has at least a coil or a box, with its condition on the left.",
+        ),
     ),
     Rule(
         "DRW016",
@@ -1290,6 +1308,241 @@ _ROWS = (
             "横线要接到竖线上，交点处写 +；只靠在旁边不算接上。",
             "Where a wire joins one above or below, a + stands; being near is not being joined.",
         ),
+    ),
+    Rule(
+        "DRW018",
+        "input-without-box",
+        "error",
+        Text(
+            "{word}是方框的另一个输入，而它上面{above}。它属于哪个方框？",
+            "{word} is a further input of a box, and above it {above}. Which box does it belong to?",
+        ),
+        Text(
+            "方框有几个输入时，第一个输入在方框那一行，其余的在正下面，每个一行。",
+            "Where a box has several inputs, the first is on the row of the box and the others right below it, a row each.",
+        ),
+    ),
+    Rule(
+        "DRW019",
+        "input-without-path",
+        "error",
+        Text(
+            "{word}要有自己的一行：从左母线出发，至少一个触点，只通到它。这里该怎么接？",
+            "{word} wants a row of its own: from the left rail, with at least one contact, to it alone. What should lead to it?",
+        ),
+        Text(
+            "方框的每个输入各有自己的条件，在指令表里各由一条新的装载指令开始。",
+            "Each input of a box has its own condition, and in the list each begins with a load.",
+        ),
+    ),
+    Rule(
+        "DRW020",
+        "box-not-last",
+        "error",
+        Text(
+            "{word}有几个输入，它后面却还有别的输出。能把它放到这一级的最后吗？",
+            "{word} has several inputs, and yet another output follows it. Could it be the last one of its rung?",
+        ),
+        Text(
+            "它的几个输入一起留在堆栈里等它用，后面的输出就取不到自己要的值。",
+            "Its inputs lie on the stack together until it takes them, so an output after it would not find its own value.",
+        ),
+    ),
+    # LAD: lists that are no ladder, and what a program editor would not show as one
+    Rule(
+        "LAD001",
+        "no-way-from-the-rail",
+        "warning",
+        Text(
+            "“{word}”用到的值不是这个{unit}里的触点得来的：堆栈里没有放进过它，或者是别处留下的。它前面原来应该接哪些触点？",
+            "{word} uses a value that no contact of this {unit} has made: nothing was put on the stack for it, or something "
+            "else has left it there. Which contacts should stand before it?",
+        ),
+        Text(
+            "梯形图里的能流都从左母线经过触点而来；没有来处的值画不出来。",
+            "In a ladder all power comes from the left rail through contacts; a value from nowhere cannot be drawn.",
+        ),
+    ),
+    Rule(
+        "LAD002",
+        "output-inside-a-block",
+        "warning",
+        Text(
+            "“{word}”要连接的电路块里，第{row}行已经接了一个输出。把那个输出放到连接之后，或者另写一个{unit}，行吗？",
+            "The block that {word} takes has an output inside it already, in row {row}. Can that output stand behind the join, "
+            "or in a {unit} of its own?",
+        ),
+        Text(
+            "梯形图的输出都在最右边，它后面的线不能再和别的电路块连起来。",
+            "In a ladder outputs stand at the far right; no wire comes back from one to be joined with another block.",
+        ),
+    ),
+    Rule(
+        "LAD003",
+        "back-to-an-earlier-branch",
+        "warning",
+        Text(
+            "“{word}”接在前面已经画完的支路上，而中间执行过别的输出。把同一个分支点的输出放在一起，行吗？",
+            "{word} hangs on a path that is finished, and other outputs have been executed in between. Can the outputs of one "
+            "branch point stand together?",
+        ),
+        Text(
+            "梯形图从上到下执行；回到上面的支路，就不再是原来的顺序了。",
+            "A ladder is executed from top to bottom; to go back to a path above would be another order.",
+        ),
+    ),
+    Rule(
+        "LAD004",
+        "drawn-after-a-change",
+        "warning",
+        Text(
+            "“{word}”读到的值在梯形图里要画到第{row}行之后，而第{row}行可能已经改变了它。先把它存到一个存储器位里，行吗？",
+            "What {word} reads would have to be drawn behind row {row}, which may have changed it by then. Can it be kept in a "
+            "memory bit first?",
+        ),
+        Text(
+            "指令表读一次、用两次的值，梯形图要画两个触点；两次之间若被改写，两个触点就不一样了。",
+            "A value that a list reads once and uses twice needs two contacts in a ladder, and they differ if the bit is "
+            "written in between.",
+        ),
+    ),
+    Rule(
+        "LAD005",
+        "not-within-a-block",
+        "warning",
+        Text(
+            "“{word}”只作用于一个不从左母线开始的电路块，而梯形图里它作用于左边全部的能流。把这个块放到最前面，或者换成相反的触点，行吗？",
+            "{word} acts on a block that does not begin at the left rail, but in a ladder it acts on all the power from its left. "
+            "Can the block come first, or its contacts be turned round one by one?",
+        ),
+        Text(
+            "取反和沿在线上作用于从左母线来的全部能流。",
+            "NOT and an edge on the wire act on the whole flow from the left rail.",
+        ),
+    ),
+    Rule(
+        "LAD006",
+        "ladder-too-large",
+        "warning",
+        Text(
+            "到“{word}”为止，这一级画成梯形图太大了：超过{most}个符号，或者{most}层嵌套。能用中间的存储器位把它分开吗？",
+            "Up to {word} this rung is too large to be drawn: it passes {most} symbols, or {most} levels of nesting. Can memory "
+            "bits divide it?",
+        ),
+        Text(
+            "没有人能读这么大的一级梯形图；指令表照样可以运行。",
+            "Nobody can read a rung of that size; as a list it runs all the same.",
+        ),
+    ),
+    Rule(
+        "LAD007",
+        "two-rungs-in-one-network",
+        "info",
+        Text(
+            "从“{word}”起又从左母线开始了一级，编程软件不会把这个网络显示为梯形图。把它放到下一个网络里。",
+            "With {word} a second rung begins at the left rail, so the editor does not show this network as a ladder. Give it a "
+            "network of its own.",
+        ),
+        Text(
+            "在这种编程软件里，一个网络就是一级；程序照样运行，只是看不到梯形图。",
+            "In that editor one network is one rung. The program runs all the same; only its ladder is not shown.",
+        ),
+    ),
+    Rule(
+        "LAD008",
+        "logic-behind-the-last-branch",
+        "info",
+        Text(
+            "最后一条支路的输出之后，“{word}”还在继续，编程软件不会把这个网络显示为梯形图。把后面的部分放到另一个网络里。",
+            "Behind the output of the last branch, {word} goes on, so the editor does not show this network as a ladder. Put what "
+            "follows into a network of its own.",
+        ),
+        Text(
+            "出栈之后的支路在它的输出处结束；要再分支，应当先入栈。",
+            "The branch behind a pop ends at its output; to part once more there, the flow has to be pushed first.",
+        ),
+    ),
+    Rule(
+        "LAD009",
+        "must-stand-alone",
+        "info",
+        Text(
+            "“{word}”不取用能流，应当单独占一个网络，否则编程软件不会把这个网络显示为梯形图。把它移到自己的网络里。",
+            "{word} takes no power and stands in a network by itself; with company, the editor does not show the network as a "
+            "ladder. Move it into one of its own.",
+        ),
+        Text(
+            "标号、循环结束、顺序段的开始和结束直接接在左母线上。",
+            "Labels, the end of a loop, and the ends of a segment hang on the left rail itself.",
+        ),
+    ),
+    Rule(
+        "LAD010",
+        "begins-without-a-contact",
+        "info",
+        Text(
+            "这个网络以“{word}”开头，编程软件不会把它显示为梯形图。让它以装载一个触点的指令开头。",
+            "This network begins with {word}, so the editor does not show it as a ladder. Let it begin by loading a contact.",
+        ),
+        Text(
+            "一级梯形图从左母线上的一个触点开始。",
+            "A rung begins with a contact at the left rail.",
+        ),
+    ),
+    Rule(
+        "LAD011",
+        "ends-without-an-output",
+        "info",
+        Text(
+            "这个网络以“{word}”结尾，编程软件不会把它显示为梯形图。它的结果要送到哪个输出？",
+            "This network ends with {word}, so the editor does not show it as a ladder. Which output should get the result?",
+        ),
+        Text(
+            "一级梯形图以线圈或功能框结束。",
+            "A rung ends with a coil or a box.",
+        ),
+    ),
+    Rule(
+        "LAD012",
+        "edge-leads-nowhere",
+        "warning",
+        Text(
+            "“{word}”每次执行都改写它的记忆位，却没有通到任何输出，所以梯形图里没有它。它后面要接哪个输出？",
+            "{word} writes its bit each time it is executed, but it leads to no output, so no rung shows it. Which output should "
+            "follow it?",
+        ),
+        Text(
+            "梯形图里只有通到线圈或功能框的部分。",
+            "A ladder shows only what leads to a coil or a box.",
+        ),
+    ),
+    Rule(
+        "LAD013",
+        "edge-with-one-bit-drawn-twice",
+        "warning",
+        Text(
+            "“{word}”把上次的能流存在自己的位里，所以在梯形图里只能画一次，而且要画在它执行的地方；这里却要画两次，或者要画得更晚。先把它的结果存到一个存储器位里，行吗？",
+            "{word} keeps its last flow in a bit of its own, so a ladder can hold it once only, and where it is executed; here it "
+            "would be drawn twice, or later. Can its result be kept in a memory bit first?",
+        ),
+        Text(
+            "沿指令每执行一次就改写一次它的位；执行两次，第二次就看不到沿了。",
+            "Each time the edge is executed it writes its bit; the second time there is no edge left to see.",
+        ),
+    ),
+    Rule(
+        "LAD014",
+        "contact-leads-nowhere",
+        "info",
+        Text(
+            "“{word}”没有通到任何输出，所以梯形图里没有这个触点。它后面少了一条块连接指令，还是少了一个输出？",
+            "{word} leads to no output, so the ladder does not show its contact. Is a join missing behind it, or an output?",
+        ),
+        Text(
+            "梯形图里只有通到线圈或功能框的部分；没有连接起来的电路块留在堆栈里，谁也不用它。",
+            "A ladder shows only what leads to a coil or a box; a block that nothing joins is left on the stack, and nobody uses it.",
+        ),
+        (3, 5),
     ),
     # SYM: symbol tables
     Rule(
@@ -1482,6 +1735,241 @@ _ROWS = (
         Text(
             "这里的时间以毫秒为单位，最短1 ms。",
             "Time is counted in milliseconds here, and the shortest is 1 ms.",
+        ),
+    ),
+    # XML: reading a ladder from a PLCopen XML file
+    Rule(
+        "XML001",
+        "markup-unread",
+        "error",
+        Text(
+            "文件从这一行起不再是完整的XML（{reason}）。能从编辑器里重新导出一次吗？",
+            "From this row on the file is no complete XML ({reason}). Can the editor export it once more?",
+        ),
+        Text(
+            "XML文件少一个括号、一个结尾标记，后面的内容就无从读起；多半是保存或传送时断了。",
+            "With one bracket or closing tag missing, the rest of an XML file cannot be read; most often it was cut off while it was saved or sent.",
+        ),
+    ),
+    Rule(
+        "XML002",
+        "markup-too-large",
+        "error",
+        Text(
+            "文件里超过{most}{what}。一次练习用不到这么多；能只导出这一个程序吗？",
+            "The file has more than {most} {what}. No lesson needs so many; can this one program be exported alone?",
+        ),
+        Text(
+            "读文件有上限，这样一个坏文件不会让所有人等待。",
+            "Reading has its limits, so that one bad file does not keep everybody waiting.",
+        ),
+    ),
+    Rule(
+        "XML003",
+        "markup-of-its-own",
+        "error",
+        Text(
+            "文件在这里声明了自己的文档类型或实体，这里不读。梯形图用不着它；能导出一份不带它的文件吗？",
+            "Here the file declares a document type or entities of its own, and those are not read. A ladder needs none; can it be exported without?",
+        ),
+        Text(
+            "实体可以把几行字展开成几十亿行，也可以去取别的文件，所以一律不读；PLCopen文件里从来没有它。",
+            "Entities can unfold a few rows into billions, or fetch other files, so none is read; a PLCopen file never has any.",
+        ),
+    ),
+    Rule(
+        "XML004",
+        "no-ladder-in-file",
+        "error",
+        Text(
+            "文件里没有可读的梯形图（LD）：{found}。要读的程序是用梯形图画的吗？",
+            "There is no ladder (LD) in this file to be read: {found}. Is the program drawn as a ladder?",
+        ),
+        Text(
+            "PLCopen XML里可以有梯形图、功能块图、顺序功能图和文本；这里只读梯形图。",
+            "PLCopen XML may hold ladders, function block diagrams, sequential charts and text; only ladders are read here.",
+        ),
+    ),
+    Rule(
+        "XML005",
+        "program-not-in-file",
+        "error",
+        Text(
+            "文件里没有名为“{name}”的程序，有的是：{names}。要读哪一个？",
+            "There is no program {name} in this file, but there is: {names}. Which one is meant?",
+        ),
+        Text(
+            "一个PLCopen文件可以装几个程序（POU）；按名字取其中一个。",
+            "A PLCopen file can hold several programs (POUs); one of them is taken by its name.",
+        ),
+    ),
+    Rule(
+        "XML006",
+        "object-unread",
+        "error",
+        Text(
+            "{what}（localId {id}）在这里读不成梯形图里的元件。能用触点、线圈或TON、TOF、TP、CTU、CTD、CTUD改画吗？",
+            "{what} (localId {id}) is read as no part of a ladder here. Can it be drawn with contacts, coils, or TON, TOF, TP, CTU, CTD, CTUD?",
+        ),
+        Text(
+            "读的是触点、线圈、电源母线、定时器、计数器、NOT和沿检测；跳转、运算块和别的语言的图形不读。",
+            "What is read: contacts, coils, power rails, timers, counters, NOT and edge detection; jumps, arithmetic blocks and the signs of other languages are not.",
+        ),
+    ),
+    Rule(
+        "XML007",
+        "nothing-at-reference",
+        "error",
+        Text(
+            "{what}（localId {id}）的连线通向localId {target}，而图里没有它。那个元件是被删掉了吗？",
+            "The wire of {what} (localId {id}) leads to localId {target}, and nothing in the drawing has that number. Was it deleted?",
+        ),
+        Text(
+            "连线写成“左边是几号元件”；号码没有主人，就不知道能流从哪里来。",
+            "A wire is kept as the number of what is on its left; without an owner of the number nobody knows where the flow comes from.",
+        ),
+    ),
+    Rule(
+        "XML008",
+        "number-unsuited",
+        "error",
+        Text(
+            "localId {id}在这里不能用：它不是数，或者第{row}行已经用过。每个元件一个自己的号码，能改过来吗？",
+            "localId {id} does not do here: it is no number, or row {row} has it already. Can each part have a number of its own?",
+        ),
+        Text(
+            "连线按号码找元件；两个元件同号，连线就有两种读法。",
+            "Wires find their parts by number; with two of one number a wire could be read in two ways.",
+        ),
+    ),
+    Rule(
+        "XML009",
+        "end-open",
+        "error",
+        Text(
+            "{what}（localId {id}）{side}没有接上。它应当接到哪里？",
+            "{what} (localId {id}) is not connected {side}. Where should it lead?",
+        ),
+        Text(
+            "能流从左母线经触点到线圈；中间断开的一段没有作用，多半是忘了连线。",
+            "Power flows from the left rail through contacts to a coil; a piece that is cut off does nothing, and most often a wire was forgotten.",
+        ),
+    ),
+    Rule(
+        "XML010",
+        "flow-in-a-circle",
+        "error",
+        Text(
+            "{what}（localId {id}）的连线转了一圈又回到自己。要自锁的话，改用它所写的位的触点好吗？",
+            "The wires of {what} (localId {id}) lead in a circle back to it. For a seal-in, could a contact of the bit that is written stand there?",
+        ),
+        Text(
+            "梯形图里能流只从左向右；自锁靠的是再读一次输出位，不是把线接回来。",
+            "In a ladder power flows from left to right only; a seal-in reads the output bit again, and no wire leads back.",
+        ),
+    ),
+    Rule(
+        "XML011",
+        "bridge-in-file",
+        "error",
+        Text(
+            "{what}（localId {id}）处的支路交叉成桥，拆不成串联和并联。把共用的触点再画一遍，让每条支路自成一路，好吗？",
+            "At {what} (localId {id}) the paths cross as a bridge, which is neither series nor parallel. Could the contact that they share be drawn twice, so that each path is complete?",
+        ),
+        Text(
+            "指令表只有串联、并联和分支点；桥要先化成几条各自完整的支路。",
+            "An instruction list has series, parallel and branch points only; a bridge has to become paths that are complete each by itself.",
+        ),
+    ),
+    Rule(
+        "XML012",
+        "marks-together",
+        "error",
+        Text(
+            "{what}（localId {id}）同时有这些标记：{marks}。想要的是其中哪一个？",
+            "{what} (localId {id}) has these marks at once: {marks}. Which of them is meant?",
+        ),
+        Text(
+            "一个触点是常开、常闭、上升沿或下降沿之一；一个线圈是输出、取反、置位、复位或沿之一。",
+            "A contact is one of open, closed, rising and falling; a coil is one of plain, inverted, set, reset and pulse.",
+        ),
+    ),
+    Rule(
+        "XML013",
+        "no-bit-in-file",
+        "error",
+        Text(
+            "{what}（localId {id}）的“{word}”不是一个位。它是哪个变量，或者哪个地址（如%IX0.0）？",
+            "{word}, at {what} (localId {id}), is no bit. Which variable is it, or which address, such as %IX0.0?",
+        ),
+        Text(
+            "触点和线圈各是一个位：变量名，或%IX、%QX、%MX地址；表达式和字不行。",
+            "A contact or coil is one bit: the name of a variable, or an address %IX, %QX, %MX; no expression and no word.",
+        ),
+    ),
+    Rule(
+        "XML014",
+        "box-incomplete",
+        "error",
+        Text(
+            "{what}（localId {id}）缺少{missing}。应当是多少，或者接什么？",
+            "{what} (localId {id}) lacks {missing}. What should it be, or what should lead there?",
+        ),
+        Text(
+            "定时器要有名字、IN和时间PT（如T#5s），计数器要有名字、计数输入和预设值PV。",
+            "A timer has a name, IN and a time PT such as T#5s; a counter has a name, a counting input and a preset PV.",
+        ),
+    ),
+    Rule(
+        "XML015",
+        "box-not-last",
+        "error",
+        Text(
+            "{what}（localId {id}）有几个输入，而同一个分支点上还有画得比它低的输出。能把它画到最下面吗？",
+            "{what} (localId {id}) has several inputs, and its node has outputs that are drawn below it. Can it be drawn lowest?",
+        ),
+        Text(
+            "几个输入的方框执行后，它们的值还占着栈；所以它是这一级的最后一个输出。",
+            "The inputs of such a box stay on the stack when it has acted, so it is the last output of its rung.",
+        ),
+    ),
+    Rule(
+        "XML016",
+        "names-without-address",
+        "info",
+        Text(
+            "这些变量没有地址，照名字留下：{names}。要在PLC上运行，还要给它们地址。",
+            "These variables have no address and stay names: {names}. To run on a PLC they need one.",
+        ),
+        Text(
+            "PLCopen的变量可以先不定地址；指令表里的触点和线圈都要有。",
+            "A variable of PLCopen may wait for its address; each contact and coil of an instruction list has one.",
+        ),
+    ),
+    Rule(
+        "XML017",
+        "left-out",
+        "info",
+        Text(
+            "文件里还有这些，这里没有读：{what}。",
+            "The file also holds this, which was not read here: {what}.",
+        ),
+        Text(
+            "读的是一个程序的一张梯形图，从上到下执行；其余的不影响它的画法，但可能影响它怎样运行。",
+            "What is read is one ladder of one program, executed from top to bottom; the rest does not change its drawing, but may change how it runs.",
+        ),
+    ),
+    Rule(
+        "XML018",
+        "flow-always-there",
+        "error",
+        Text(
+            "{what}（localId {id}）{side}直接接着左母线，旁边的触点不起作用。这根线是多画的吗？",
+            "{what} (localId {id}) hangs right on the left rail {side}, so no contact matters there. Is that wire one too many?",
+        ),
+        Text(
+            "与触点并联的一根导线永远接通。",
+            "A wire in parallel with a contact is always closed.",
         ),
     ),
     # FIL: files that are no text

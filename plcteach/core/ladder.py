@@ -1,11 +1,12 @@
 """A rung as a tree: contacts in series and in parallel on the left, and on the right a node with one or more outputs.
 
-    Node = Contact | Invert | Series | Parallel      from the left rail, or from a branch point, to the next node
-    Out  = Coil | Branch                             what hangs on a node; a Branch goes on to a node of its own
+    Node = Contact | Compared | Invert | Edge | Series | Parallel     from the left rail, or a branch point, to the next node
+    Out  = Coil | Box | Branch                       what hangs on a node; a Branch goes on to a node of its own
     Rung = stem: Node, outs: Out, Out, …             so branch points within branch points are trees within trees
 
 Addresses are words in upper case; whether a family has such a bit is asked when the rung is written out for it.
-`Invert` turns round the whole flow on its left, from the rail on, as NOT does in every family.
+`Invert` turns round the whole flow on its left, from the rail on, as NOT does in every family; `Edge` lets it through for the
+one scan in which it changes.
 """
 
 from __future__ import annotations
@@ -19,22 +20,29 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
 
 EdgeKind = Literal["", "rise", "fall"]
-CoilKind = Literal["", "set", "reset", "not"]
+CoilKind = Literal["", "set", "reset", "not", "rise", "fall"]
+Relation = Literal["=", "<>", ">=", "<=", ">", "<"]
+Size = Literal["", "B", "D", "R"]
+"""How wide the words of a comparison are: a word of 16 bits, a byte, a double word, or a real."""
 
 
 @dataclass(frozen=True, slots=True)
 class Contact:
-    """A contact of one bit: normally open, normally closed (`negated`), or closed for one scan at an edge of the bit."""
+    """A contact of one bit: normally open, normally closed (`negated`), or closed for one scan at an edge of the bit.
+
+    immediate: it reads the input itself at that moment, and not the process image.
+    """
 
     address: str
     negated: bool = False
     edge: EdgeKind = ""
+    immediate: bool = False
 
     def __post_init__(self) -> None:
-        """Put the address in upper case; an edge contact has no normally closed form."""
+        """Put the address in upper case; an edge contact has neither a normally closed nor an immediate form."""
         object.__setattr__(self, "address", self.address.upper())
-        if self.negated and self.edge:
-            msg = f"contact {self.address}: either normally closed or an edge, not both"
+        if self.edge and (self.negated or self.immediate):
+            msg = f"contact {self.address}: an edge is neither normally closed nor immediate"
             raise DeclarationError(msg)
 
     def __repr__(self) -> str:
@@ -42,8 +50,55 @@ class Contact:
 
     @property
     def mark(self) -> str:
-        """What stands before the address in a drawing: "", "/", "P " or "N "."""
-        return {"rise": "P ", "fall": "N "}.get(self.edge, "/" if self.negated else "")
+        """What stands before the address in a drawing: "", "/", "P ", "N ", "I " or "/I "."""
+        plain = ("/" if self.negated else "") + ("I " if self.immediate else "")
+        return {"rise": "P ", "fall": "N "}.get(self.edge, plain)
+
+
+@dataclass(frozen=True, slots=True)
+class Compared:
+    """A contact that is closed while a relation holds between two words, each an address or a constant."""
+
+    left: str
+    relation: Relation
+    right: str
+    size: Size = ""
+
+    def __post_init__(self) -> None:
+        """Put the words in upper case."""
+        object.__setattr__(self, "left", self.left.upper())
+        object.__setattr__(self, "right", self.right.upper())
+
+    def __repr__(self) -> str:
+        return f"Compared({self.text})"
+
+    @property
+    def text(self) -> str:
+        """What stands between the brackets of a drawing: VW0 >= 5, VD4 <R 1.5."""
+        return f"{self.left} {self.relation}{self.size} {self.right}"
+
+
+@dataclass(frozen=True, slots=True)
+class Edge:
+    """An edge on the wire: power passes for the one scan in which the flow from the left has come, or gone.
+
+    memory: the bit that keeps the last flow, where the family wants one named (GUTTA).
+    """
+
+    rising: bool = True
+    memory: str = ""
+
+    def __post_init__(self) -> None:
+        """Put the memory bit in upper case."""
+        object.__setattr__(self, "memory", self.memory.upper())
+
+    def __repr__(self) -> str:
+        return f"Edge({self.mark})"
+
+    @property
+    def mark(self) -> str:
+        """What stands between the brackets of a drawing: P, N, or with its memory P:M0.0."""
+        return ("P" if self.rising else "N") + (f":{self.memory}" if self.memory else "")
 
 
 @dataclass(frozen=True, slots=True)
@@ -74,16 +129,21 @@ class Parallel:
         return f"Parallel{self.parts!r}"
 
 
-Node = Contact | Invert | Series | Parallel
+Node = Contact | Compared | Invert | Edge | Series | Parallel
 
 
 @dataclass(frozen=True, slots=True)
 class Coil:
-    """A coil, set, reset or inverted coil of one bit; set and reset may reach over `count` bits from there on."""
+    """A coil, set, reset, inverted or pulse coil of one bit; set and reset may reach over `count` bits from there on.
+
+    A pulse coil (kind "rise" or "fall") is on for the one scan in which the flow comes or goes.
+    immediate: it writes the output itself at that moment, and the process image.
+    """
 
     address: str
     kind: CoilKind = ""
     count: int = 1
+    immediate: bool = False
 
     def __post_init__(self) -> None:
         """Put the address in upper case."""
@@ -94,8 +154,40 @@ class Coil:
 
     @property
     def mark(self) -> str:
-        """What stands before the address in a drawing: "", "S ", "R " or "/ "."""
-        return {"": "", "set": "S ", "reset": "R ", "not": "/ "}[self.kind]
+        """What stands before the address in a drawing: "", "S ", "R ", "/ ", "P ", "N ", or "I ", "SI ", "RI "."""
+        plain = {"": "", "set": "S", "reset": "R", "not": "/", "rise": "P", "fall": "N"}[self.kind]
+        return f"{plain}I " if self.immediate else f"{plain} ".lstrip()
+
+
+@dataclass(frozen=True, slots=True)
+class Box:
+    """An instruction drawn as a box at the right: a timer, a counter, a block, a move, a jump.
+
+    text: the instruction as its family's list has it, "TON T37, 50".  pins: inputs beside the first, each with its name and
+    what leads to it from the left rail, in the order of the list.  entry: the name of the first, where there are several.
+    A box whose instruction takes no flow (a label) is a rung without a stem.
+    """
+
+    text: str
+    pins: tuple[tuple[str, Node], ...] = ()
+    entry: str = ""
+
+    def __post_init__(self) -> None:
+        """Put the text in upper case and its blanks in order."""
+        object.__setattr__(self, "text", " ".join(self.text.upper().split()))
+
+    def __repr__(self) -> str:
+        return f"Box({self.text!r}{''.join(f', {name}={node!r}' for name, node in self.pins)})"
+
+    @property
+    def word(self) -> str:
+        """The mnemonic."""
+        return self.text.partition(" ")[0]
+
+    @property
+    def operands(self) -> str:
+        """What follows the mnemonic."""
+        return self.text.partition(" ")[2]
 
 
 @dataclass(frozen=True, slots=True)
@@ -109,14 +201,16 @@ class Branch:
         return f"Branch({self.stem!r} -> {self.outs!r})"
 
 
-Out = Coil | Branch
+Out = Coil | Box | Branch
+Symbol = Contact | Compared | Invert | Edge | Coil | Box
+"""What a drawing shows as one sign."""
 
 
 @dataclass(frozen=True, slots=True)
 class Rung:
     """One rung: what leads from the left rail to the first node, and what hangs there, in the order of execution.
 
-    stem: None where the outputs hang on the rail itself, which can be drawn but which no family has instructions for.
+    stem: None where the outputs hang on the rail itself: a box that takes no flow, or what no family has instructions for.
     """
 
     stem: Node | None
@@ -124,17 +218,21 @@ class Rung:
     title: str = ""
 
     def __post_init__(self) -> None:
-        """Refuse a rung that does nothing."""
+        """Refuse a rung that does nothing, and a box of several inputs that something follows: its inputs stay on the stack."""
         if not self.outs:
             msg = "a rung ends in at least one coil"
+            raise DeclarationError(msg)
+        ends = [one for one in self.symbols if isinstance(one, Coil | Box)]
+        if any(isinstance(one, Box) and one.pins for one in ends[:-1]):
+            msg = "a box of several inputs is the last output of its rung"
             raise DeclarationError(msg)
 
     def __repr__(self) -> str:
         return f"Rung({self.stem!r} -> {self.outs!r})"
 
     @property
-    def symbols(self) -> tuple[Contact | Invert | Coil, ...]:
-        """Every contact, NOT and coil, in the order in which the rung is executed."""
+    def symbols(self) -> tuple[Symbol, ...]:
+        """Every contact, NOT, edge, coil and box, in the order in which the rung is executed; a box after its inputs."""
         return tuple(_symbols(self))
 
 
@@ -191,18 +289,24 @@ def _inside(part: _Part) -> tuple[_Part, ...]:
             return parts
         case Branch(stem, outs):
             return (stem, *outs)
+        case Box(_, pins):
+            return tuple(node for _, node in pins)
         case Rung(stem, outs):
             return outs if stem is None else (stem, *outs)
     return ()
 
 
-def _symbols(top: Rung) -> Iterator[Contact | Invert | Coil]:
-    waiting: list[_Part] = [top]
+def _symbols(top: Rung) -> Iterator[Symbol]:
+    waiting: list[tuple[_Part, bool]] = [(top, False)]
     while waiting:
-        one = waiting.pop()
-        if isinstance(one, Contact | Invert | Coil):
+        one, seen = waiting.pop()
+        inside = _inside(one)
+        if isinstance(one, Box) and inside and not seen:
+            waiting += [(one, True), *((part, False) for part in reversed(inside))]
+        elif isinstance(one, Contact | Compared | Invert | Edge | Coil | Box):
             yield one
-        waiting += reversed(_inside(one))
+        else:
+            waiting += [(part, False) for part in reversed(inside)]
 
 
 MOST_NESTED = 60

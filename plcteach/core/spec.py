@@ -70,8 +70,12 @@ class Limit:
 
 Role = Literal[
     "load", "load_not", "series", "series_not", "parallel", "parallel_not",
-    "join_series", "join_parallel", "push", "read", "pop", "invert", "coil", "set", "reset", "rise", "fall", "end",
+    "join_series", "join_parallel", "push", "read", "pop", "copy", "invert", "coil", "set", "reset", "rise", "fall", "end",
 ]  # fmt: skip
+
+
+Use = Literal["input", "output", "memory", "step", "word", "timer", "counter"]
+"""What an area is for, whatever a family calls it."""
 
 
 @dataclass(frozen=True)
@@ -92,7 +96,11 @@ class Dialect:
     and its base ("K": 10, "H": 16).
     first_heading: the number of the first network or rung.
     boxes: ladder boxes that the list has no instruction for, with the two instructions that they become.
+    patterns: ladder boxes of several inputs that become a fixed list: the inputs' names, and the lines behind their loads, in
+    which OUT is the bit that the box writes.
+    counterparts: for each use the area that a translation from another family fills with what that family has for it.
     compound_ends: nothing may follow an output of several flows in its network (GUTTA).
+    shows_rungs: its program editor shows a network as one rung, or not as a ladder at all (S7-200).
     residue: how bad a leftover at the end of a network is; a warning where the CPU itself does not mind.
     separator: what stands between two operands of a line.
     examples: small programs that together use every instruction; a card shows the first one that uses its own.
@@ -127,7 +135,10 @@ class Dialect:
     retentive: Mapping[str, tuple[tuple[int, int], ...]] = field(default_factory=dict)
     constant: Mapping[str, int] = field(default_factory=lambda: {"": 10, "16#": 16, "2#": 2})
     boxes: Mapping[str, tuple[str, str]] = field(default_factory=dict)
+    patterns: Mapping[str, tuple[str, str]] = field(default_factory=dict)
+    counterparts: Mapping[Use, str] = field(default_factory=dict)
     compound_ends: bool = False
+    shows_rungs: bool = False
     separator: str = ", "
 
     def __post_init__(self) -> None:
@@ -183,6 +194,11 @@ class Dialect:
     def parts(self) -> dict[str, Role]:
         """The role of each mnemonic that has one."""
         return {mnemonic: role for role, mnemonic in self.roles.items()}
+
+    @cached_property
+    def moving(self) -> tuple[str, ...]:
+        """The bits that the system drives and that change from scan to scan for ever."""
+        return tuple(address for address, what in self.specials.items() if what.isdigit() or what == "turns")
 
     def example(self, mnemonic: str) -> str:
         """Give the first example that uses an instruction."""

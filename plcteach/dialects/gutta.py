@@ -164,6 +164,7 @@ GUTTA = Dialect(
         Block("C", "counter", Text("计数器", "counter"), ("CU", "CD", "R", "LD", "PV"), most=32767),
     ),
     flags={"zero": "SM1.0", "overflow": "SM1.1", "negative": "SM1.2", "divide": "SM1.3"},
+    counterparts={"input": "I", "output": "Q", "memory": "M", "word": "V", "timer": "T", "counter": "C"},
     specials={"SM0.0": "on", "SM0.1": "first", "SM0.4": "60000", "SM0.5": "1000", "SM0.6": "turns"},
     examples=(
         "LD I0.0; O Q0.0; AN I0.1; = Q0.0",

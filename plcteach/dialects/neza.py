@@ -228,6 +228,7 @@ NEZA = Dialect(
     retentive={  # [rec]: timers begin anew
         "%M": ((0, 255),), "%MW": ((0, 255),), "%C": ((0, 15),), "%DR": ((0, 3),), "%SBR": ((0, 7),), "%SC": ((0, 7),), "%R": ((0, 3),),
     },
+    counterparts={"input": "%I", "output": "%Q", "memory": "%M", "word": "%MW", "timer": "%TM", "counter": "%C"},
     specials={
         "0": "off", "1": "on", "%S0": "cold", "%S1": "warm", "%S13": "first",
         "%S4": "10", "%S5": "100", "%S6": "1000", "%S7": "60000",

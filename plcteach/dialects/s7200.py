@@ -190,10 +190,11 @@ S7_200 = Dialect(
     insns=INSTRUCTIONS,
     roles={
         "load": "LD", "load_not": "LDN", "series": "A", "series_not": "AN", "parallel": "O", "parallel_not": "ON",
-        "join_series": "ALD", "join_parallel": "OLD", "push": "LPS", "read": "LRD", "pop": "LPP",
+        "join_series": "ALD", "join_parallel": "OLD", "push": "LPS", "read": "LRD", "pop": "LPP", "copy": "LDS",
         "invert": "NOT", "coil": "=", "set": "S", "reset": "R", "rise": "EU", "fall": "ED",
     },
     traps=False,  # the CPU has no stack trap: x enters at the bottom and the program goes on
+    shows_rungs=True,  # Micro/WIN draws a network as one rung or leaves it as a list, without a word about why
     residue="warning",  # LPS / NOT / LDS 1 … rightly leaves a cell, and the CPU does not mind
     aliases={"U": "A", "UN": "AN", "UI": "AI", "UNI": "ANI", "ULD": "ALD"},
     letters={"E": "I", "A": "Q"},
@@ -214,8 +215,13 @@ S7_200 = Dialect(
         ),
         Block("C", "counter", Text("计数器", "counter"), ("CU", "CD", "R", "LD", "PV"), most=32767),
     ),
+    patterns={  # two bistables of the ladder that no list has an instruction for: the dominant input is the one with a 1
+        "SR": ("S1 R", "NOT; A OUT; OLD; = OUT"),
+        "RS": ("S R1", "NOT; LPS; A OUT; = OUT; LPP; ALD; O OUT; = OUT"),
+    },
     flags={"zero": "SM1.0", "overflow": "SM1.1", "negative": "SM1.2", "divide": "SM1.3"},
     retentive={"V": ((0, 81919),), "M": ((112, 255),), "T": ((0, 31), (64, 95)), "C": ((0, 255),)},
+    counterparts={"input": "I", "output": "Q", "memory": "M", "step": "S", "word": "V", "timer": "T", "counter": "C"},
     specials={
         "SM0.0": "on", "SM0.1": "first", "SM0.2": "cold", "SM0.3": "first", "SM0.4": "60000", "SM0.5": "1000", "SM0.6": "turns",
     },

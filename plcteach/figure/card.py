@@ -94,7 +94,7 @@ class Card:
     def form(self) -> str:
         """How it is written: the mnemonic and its operands by name."""
         word, operands = self.insn.word, self.insn.operands
-        if any(verb.name == "update" for verb in self.insn.then):
+        if "update" in self.insn.does:
             return word
         if operands and operands[0].mark and operands[0].mark == word.rstrip(":"):
             return f"{operands[0].mark}{operands[0].name}{word.removeprefix(operands[0].mark)}"
@@ -128,7 +128,7 @@ class Card:
     def symbol(self) -> Scene | None:
         """Draw what the instruction is in a ladder; stack instructions are wires there, so they show what they join."""
         line = self._drawing()
-        if not line or any(verb.name not in _VERBS["coil"] for verb in self.insn.then):
+        if not line or not self.insn.does <= _VERBS["coil"]:
             return None
         letters = {letter: self._bit("input", place) for place, letter in enumerate("abcd")}
         coils = {letter: self._bit("output", place) for place, letter in enumerate("qrs")}

@@ -17,6 +17,7 @@ from plcteach.core.text import Text, joined
 from plcteach.figure.cast import cast
 from plcteach.figure.face import face_changes
 from plcteach.figure.faces import Blocks
+from plcteach.figure.growth import Growth
 from plcteach.figure.opening import inputs_of, opens
 from plcteach.figure.says import says
 from plcteach.machine.formula import Term, spelled, written
@@ -104,6 +105,7 @@ class _Maker:
     faces: dict[str, dict[str, Any]] = field(default_factory=dict)
     first_faces: list[dict[str, Any]] = field(default_factory=list)
     blocks: Blocks = field(init=False)
+    growth: Growth = field(init=False)
     held: dict[str, str] = field(default_factory=dict)
     last: tuple[Column, ...] | None = None
     kept_keys: dict[int, list[list[str]]] = field(default_factory=dict)
@@ -114,6 +116,7 @@ class _Maker:
     def __post_init__(self) -> None:
         self.formulas = spelled(self.program)
         self.blocks = Blocks(self.program)
+        self.growth = Growth(self.program)
         for walk in walks(self.program):
             self.moves += walk.moves
             if walk.leftover:
@@ -123,7 +126,7 @@ class _Maker:
 
     def scan(self, scan: Scan[Column]) -> None:
         """Add the picture before a scan's first line and one for each of its steps."""
-        gone = [key for stack in self.keys for key in stack]
+        gone, start = [key for stack in self.keys for key in stack], scan.start()
         self.keys = [
             [self.new(blank=True) for _ in range(stack.depth)] if stack.fixed else [] for stack in self.dialect.stacks
         ]
@@ -136,10 +139,11 @@ class _Maker:
                 "cells": self.cells(first, None, None),
                 "leave": dict.fromkeys(gone, "top"),
                 "read": [[address, value] for address, value in inputs_of(scan)],
-                "say": opens(scan).as_dict(),
+                "say": opens(scan, start).as_dict(),
             }
         )
-        self.faced(self.steps[-1], scan.start())
+        self.steps[-1] |= {"power": power} if (power := self.growth.start()) else {}
+        self.faced(self.steps[-1], start)
         self.walk(scan)
 
     def walk(self, scan: Scan[Column]) -> None:
@@ -210,9 +214,8 @@ class _Maker:
         shot["read"] = [[address.text, repr(value)] for address, value in step.read]
         shot["write"] = list(self.written(step))
         shot["say"] = says(self.dialect, step, first=not scan.before.scans).as_dict()
-        warning = self.warning(number, step)
-        if warning:
-            shot["warn"] = warning.as_dict()
+        shot["power"] = self.growth.step(step)
+        shot["warn"] = self.warning(number, step)
         self.steps.append({name: value for name, value in shot.items() if name == "cells" or value not in ({}, [])})
 
     def put_aside(self, step: Step[Column]) -> dict[str, str]:
@@ -228,7 +231,7 @@ class _Maker:
 
     def written(self, step: Step[Column]) -> Iterator[list[str]]:
         """Give what a step wrote; of words and rows that were left as they were, nothing."""
-        quiet = {"work", "shift"} >= {verb.name for verb in step.line.insn.then}
+        quiet = step.line.insn.does <= {"work", "shift"}
         for address, value in step.written:
             said = repr(value)
             if not quiet or self.held.get(address.text, "0") != said:
@@ -296,19 +299,19 @@ class _Maker:
         cell = self.moves[number].after[stack][place]
         return ("s" if cell.spent else "") + ("f" if key in self.foreign else "") + cell.tag
 
-    def warning(self, number: int, step: Step[Column]) -> Text | None:
+    def warning(self, number: int, step: Step[Column]) -> dict[str, str]:
         for address, value in step.written:
             if value.unknown:
-                return rule("RUN001").says.format(address=address.text)
+                return rule("RUN001").says.format(address=address.text).as_dict()
         told = [self.residues[number]] if number in self.residues else []
         if self.moves[number].lost:
             told.insert(0, _LOST)
-        return joined(told) if told else None
+        return joined(told).as_dict() if told else {}
 
     def data(self, title: Text) -> dict[str, Any]:
         """Give the whole film."""
         film = cast(self.program, self.heights, rows=self.rows) | {"title": title.as_dict()}
-        film |= {"texts": list(self.texts), "steps": self.steps}
+        film |= {"texts": list(self.texts), "steps": self.steps, "ladder": self.growth.data()}
         return film | ({"faces": self.first_faces} if self.first_faces else {})
 
 

@@ -54,10 +54,15 @@ INKS: dict[str, Ink] = {
     "rail": Ink(stroke="text", width=2.4),
     "wire-on": Ink(stroke="accent", width=2.6),
     "contact": Ink(stroke="text", width=1.6),
+    "unbuilt": Ink(stroke="faint", width=1.4),
     # boxes and discs
     "paper": Ink(fill="paper"),
     "cell": Ink(fill="cell", stroke="line"),
     "new": Ink(fill="wash", stroke="accent", width=1.5),
+    "block": Ink(fill="cell", stroke="text", width=1.6),
+    "block-on": Ink(fill="cell", stroke="accent", width=2.4),
+    "block-off": Ink(fill="cell", stroke="faint", width=1.4),
+    "bracket": Ink(stroke="accent", width=1.4, dash=(5, 3)),
     "slot": Ink(stroke="faint", dash=(3, 3)),
     "table": Ink(stroke="line"),
     "gone": Ink(stroke="line", dash=(3, 3)),
@@ -65,8 +70,10 @@ INKS: dict[str, Ink] = {
     "head": Ink(fill="head"),
     "wash": Ink(fill="wash"),
     "dot": Ink(fill="text"),
+    "dot-off": Ink(fill="faint"),
     "peg": Ink(fill="accent"),
     "busy": Ink(fill="line"),
+    "area": Ink(),
     "outline": Ink(stroke="accent", width=1.5),
 }
 

@@ -6,9 +6,8 @@ from dataclasses import dataclass
 from html import escape
 from typing import TYPE_CHECKING, Any
 
-from plcteach.core.diagnostic import errors
+from plcteach.core.diagnostic import refuse
 from plcteach.core.errors import PlcTeachError
-from plcteach.core.text import language
 from plcteach.dialects import dialect as find_dialect
 from plcteach.dialects import names
 from plcteach.figure.stack import illustrate as stack_scene
@@ -20,9 +19,8 @@ from plcteach.machine.scan import run as run_program
 from plcteach.machine.timeline import timeline
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Mapping, Sequence
+    from collections.abc import Iterable, Mapping
 
-    from plcteach.core.diagnostic import Diagnostic
     from plcteach.core.program import Program
     from plcteach.core.spec import Dialect
 
@@ -34,15 +32,8 @@ def program_of(text: str | Program, dialect: str | Dialect | None = None) -> Pro
     if not isinstance(text, str):
         return text
     program = read_either(text, dialect or names()[0])
-    refuse(errors(program.diagnostics))
+    refuse(program.diagnostics)
     return program
-
-
-def refuse(found: Sequence[Diagnostic]) -> None:
-    """Raise the first finding, if there is one, as an error with its row."""
-    if found:
-        msg = f"row {found[0].span.row}: {found[0].text.in_(language())}"
-        raise PlcTeachError(msg)
 
 
 def run(
@@ -60,15 +51,13 @@ def run(
     if not isinstance(scans, str):
         return run_program(program, scans, scan_ms=scan_ms)
     line = timeline(scans, program.dialect, scan_ms=scan_ms)
-    refuse(errors(line.diagnostics))
+    refuse(line.diagnostics)
     return run_program(program, line.scans(), scan_ms=scan_ms)
 
 
 def illustrate(word: str, dialect: str | Dialect | None = None) -> Figure:
-    """Draw the before/after figure of an instruction: `illustrate("OLD")`, `illustrate("LDS 3")`."""
-    mnemonic, _, number = word.strip().partition(" ")
-    scene = stack_scene(find_dialect(dialect or names()[0]), mnemonic.upper(), int(number) if number.strip() else None)
-    return Figure(scene)
+    """Draw the before/after figure of an instruction or a whole line: `illustrate("OLD")`, `illustrate("LDS 3")`, `illustrate("O M0.0")`."""
+    return Figure(stack_scene(find_dialect(dialect or names()[0]), word.strip().upper()))
 
 
 @dataclass(frozen=True, slots=True)

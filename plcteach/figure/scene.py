@@ -2,6 +2,7 @@
 
 Units are CSS pixels at 100 %, x to the right, y downwards. What a shape looks like is decided by its `ink`, one word
 from `figure.ink.INKS`, which the SVG writer and the matplotlib drawer both obey, so that page and printed book agree.
+Every shape may name the `part` of the picture it belongs to, by which a page finds it again; on paper that means nothing.
 """
 
 from __future__ import annotations
@@ -27,6 +28,7 @@ class Box:
     height: float
     ink: str
     radius: float = 0
+    part: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,6 +43,7 @@ class Words:
     size: float = 13
     code: bool = False
     bold: bool = False
+    part: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -54,6 +57,7 @@ class Stroke:
     ink: str = "line"
     arrow: bool = False
     curve: bool = False
+    part: str = ""
 
     @property
     def head(self) -> tuple[Point, Point, Point] | None:
@@ -81,6 +85,7 @@ class Disc:
     radius: float
     ink: str
     open: float = 0
+    part: str = ""
 
     @property
     def arcs(self) -> tuple[tuple[float, float], ...]:

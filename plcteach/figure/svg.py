@@ -10,6 +10,7 @@ from __future__ import annotations
 import math
 import re
 from html import escape
+from itertools import groupby
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -45,11 +46,29 @@ def svg(scene: Scene, lang: str, *, dark: bool | None = None, scale: float = 1.0
         _opening(scene, theme, lang, title, scale),
         f"<title>{escape(title)}</title>",
         f"<style>{_STYLES[theme]}</style>",
-        *(pen.draw(shape) for shape in (*ground, *scene.shapes)),
+        *(_grouped(part, map(pen.draw, shapes)) for part, shapes in groupby((*ground, *scene.shapes), _part)),
         "</svg>",
         "",
     ]
     return "\n".join(rows)
+
+
+def bare(scene: Scene) -> str:
+    """Write a scene as SVG without a style sheet or paper, for a page that colours its parts itself."""
+    pen, label = _Pencil("en", dark=False), escape(_printable(scene.title.en))
+    rows = [_grouped(part, map(pen.draw, shapes)) for part, shapes in groupby(scene.shapes, _part)]
+    size = f'width="{_n(scene.width)}" height="{_n(scene.height)}" viewBox="0 0 {_n(scene.width)} {_n(scene.height)}"'
+    return f'<svg xmlns="http://www.w3.org/2000/svg" role="group" aria-label="{label}" {size}>{"".join(rows)}</svg>'
+
+
+def _part(shape: Shape) -> str:
+    return shape.part
+
+
+def _grouped(part: str, rows: Iterable[str]) -> str:
+    """Put the shapes of one part of the picture into a group that bears its name."""
+    inside = "\n".join(rows)
+    return f'<g data-part="{escape(part)}">{inside}</g>' if part else inside
 
 
 def _opening(scene: Scene, theme: str, lang: str, title: str, scale: float) -> str:
@@ -148,6 +167,30 @@ class _Pen:
             (x, y), end = (_on_circle(shape, angle) for angle in arc)
             path.append(f"M{_n(x)},{_n(y)} A{_n(shape.radius)},{_n(shape.radius)} 0 0 1 {_points([end])}")
         return f'<path d="{" ".join(path)}" {self.line(shape.ink)}/>'
+
+
+class _Pencil(_Pen):
+    """Writes the same elements with their classes alone: what they look like is the page's business."""
+
+    def area(self, word: str) -> str:
+        """Give the class of a shape with an inside."""
+        return f'class="plc-ink plc-ink-{word}"'
+
+    def line(self, word: str) -> str:
+        """Give the class of a shape that is only a line."""
+        return f'class="plc-line plc-line-{word}"'
+
+    def solid(self, word: str) -> str:
+        """Give the class of words and arrow heads."""
+        return f'class="plc-solid plc-solid-{word}"'
+
+    def words(self, shape: Words) -> str:
+        text = _printable(shape.text.in_(self.lang))
+        bold = ' font-weight="600"' if shape.bold else ""
+        place = f'x="{_n(shape.x)}" y="{_n(shape.y + 0.35 * shape.size)}" text-anchor="{shape.anchor}"'
+        return (
+            f'<text {place} font-size="{_n(shape.size)}"{bold} class="plc-solid">{escape(text)}</text>' if text else ""
+        )
 
 
 def _on_circle(disc: Disc, angle: float) -> tuple[float, float]:

@@ -5,17 +5,14 @@ from __future__ import annotations
 from bisect import bisect_left
 from typing import TYPE_CHECKING, Any
 
-from plcteach.core.diagnostic import errors
 from plcteach.core.errors import PlcTeachError, UnknownNameError
 from plcteach.figure.charts import chart_of
 from plcteach.figure.face_scene import face_scene
 from plcteach.figure.faces import Blocks
 from plcteach.figure.film import Film, film
-from plcteach.figure.ladder import ladder_scene
-from plcteach.figure.running import program_of, refuse, run
+from plcteach.figure.running import program_of, run
 from plcteach.figure.strip import strip as strip_scene
 from plcteach.figure.svg import Figure
-from plcteach.ladder.picture import read_drawing
 from plcteach.machine.scan import SCAN_MS, Trace
 from plcteach.machine.scan import run as run_program
 
@@ -73,13 +70,6 @@ def strip(text: str | Program, dialect: str | Dialect | None = None, inputs: Map
     """Draw a whole program in one row: each instruction above the stack that it leaves."""
     program = program_of(text, dialect)
     return Figure(strip_scene(run_program(program, [dict(inputs or {})]).scans[0]))
-
-
-def draw(drawing: str) -> Figure:
-    """Draw a ladder typed as text; PlcTeachError names the row where it cannot be read."""
-    ladder, found = read_drawing(drawing)
-    refuse(errors(found))
-    return Figure(ladder_scene(ladder))
 
 
 def film_of(

@@ -10,7 +10,6 @@ from dataclasses import replace
 from typing import NamedTuple
 
 from plcteach.core.diagnostic import Note, rule
-from plcteach.core.ladder import Coil
 from plcteach.core.source import Span
 from plcteach.core.text import Text
 from plcteach.ladder.wires import LEFT, TAB, Cell, Sheet, ends, neighbours
@@ -36,7 +35,7 @@ class _Miss(NamedTuple):
 
 def check(out: Sheet) -> None:
     """Report what keeps a drawn rung from being read."""
-    right = {one.target for one in out.elements if isinstance(one.symbol, Coil)} - {None}
+    right = {one.target for one in out.elements if one.last} - {None}
     _lonely(out, right)
     if not out.found:
         _paths(out, right)
@@ -105,9 +104,9 @@ def _last(out: Sheet) -> int:
 
 
 def _paths(out: Sheet, right: set[int | None]) -> None:
-    """Report coils that something follows, wires past an element, paths that begin or end nowhere, and loose ends."""
+    """Report coils and boxes that something follows, wires past an element, paths that begin or end nowhere, and loose ends."""
     feeds = {one.source for one in out.elements} - {None}
-    fed = {one.target for one in out.elements if not isinstance(one.symbol, Coil)} - {None} | {LEFT}
+    fed = {one.target for one in out.elements if not one.last} - {None} | {LEFT}
     open_ends: list[tuple[int | None, Cell]] = []
     for one in out.elements:
         if one.source is None or one.source not in fed | right:
@@ -117,7 +116,7 @@ def _paths(out: Sheet, right: set[int | None]) -> None:
             out.say_of("DRW010", one)
         elif one.source in right:
             out.say_of("DRW011", one)
-        elif not isinstance(one.symbol, Coil) and (one.target is None or one.target not in feeds):
+        elif not one.last and (one.target is None or one.target not in feeds):
             out.say_of("DRW007", one)
             open_ends.append((one.target, (one.row, one.stop - 1)))
     if not out.found:

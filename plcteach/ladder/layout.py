@@ -1,8 +1,8 @@
 """Where the symbols of a rung stand on a grid of columns and rows, and which wires join them.
 
 The text drawing and the figure share this plan, so that both show the same rung alike. Boundaries count from 0, the left rail;
-column c lies between boundaries c and c + 1; the last column holds the coils. Each piece of wire belongs to a net, a number;
-net 0 is the left rail.
+column c lies between boundaries c and c + 1; the last column holds coils and boxes. Each piece of wire belongs to a net, a
+number; net 0 is the left rail. A box of several inputs is as high as they need, below everything else of its rung.
 """
 
 from __future__ import annotations
@@ -10,21 +10,29 @@ from __future__ import annotations
 from collections import Counter
 from dataclasses import dataclass, field
 
-from plcteach.core.ladder import Branch, Coil, Contact, Invert, Node, Out, Parallel, Rung, Series
+from plcteach.core.ladder import Box, Branch, Node, Out, Parallel, Rung, Series, Symbol
 
 RAIL = 0
-Symbol = Contact | Invert | Coil
 
 
 @dataclass(frozen=True, slots=True)
 class Placed:
-    """A symbol, the cell it stands in, and the nets on its left and right; a coil's right is the right rail, None."""
+    """A symbol, the cell it stands in, and the nets on its left and right; right of a coil or box is the right rail, None."""
 
     symbol: Symbol
     row: int
     column: int
     source: int
     target: int | None
+
+
+@dataclass(frozen=True, slots=True)
+class Pin:
+    """A further input of the box that stands above it in the last column: its name, its row, and the net that feeds it."""
+
+    name: str
+    row: int
+    source: int
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,13 +60,14 @@ class Post:
 
 @dataclass(frozen=True, slots=True)
 class Layout:
-    """The plan of one rung; pieces stand in the order of execution."""
+    """The plan of one rung; pieces stand in the order of execution, a box after what feeds its inputs."""
 
     columns: int
     rows: int
     pieces: tuple[Placed, ...]
     runs: tuple[Run, ...]
     posts: tuple[Post, ...]
+    pins: tuple[Pin, ...] = ()
 
     @property
     def doubled(self) -> frozenset[tuple[int, int]]:
@@ -76,8 +85,7 @@ def layout(rung: Rung) -> Layout:
     posts = tuple(
         Post(boundary, tuple(sorted(rows)), net, opens) for (boundary, net, opens), rows in sorted(plan.posts.items())
     )
-    rows = 1 + max(piece.row for piece in plan.pieces)
-    return Layout(plan.columns, rows, tuple(plan.pieces), tuple(plan.runs), posts)
+    return Layout(plan.columns, plan.rows, tuple(plan.pieces), tuple(plan.runs), posts, tuple(plan.pins))
 
 
 def _width(node: Node) -> int:
@@ -101,8 +109,10 @@ def _height(part: Node | Out) -> int:
 
 
 def _columns(stem: Node | None, outs: tuple[Out, ...]) -> int:
+    """Count the columns of a node and what hangs on it; the inputs of a box begin at the left rail on their own."""
     widest = max(_columns(one.stem, one.outs) if isinstance(one, Branch) else 1 for one in outs)
-    return widest + (_width(stem) if stem else 0)
+    pins = [_width(node) + 1 for one in outs if isinstance(one, Box) for _, node in one.pins]
+    return max(widest + (_width(stem) if stem else 0), *pins, 1)
 
 
 @dataclass(slots=True)
@@ -114,6 +124,8 @@ class _Plan:
     pieces: list[Placed] = field(default_factory=list)
     runs: list[Run] = field(default_factory=list)
     posts: dict[tuple[int, int, bool], set[int]] = field(default_factory=dict)
+    pins: list[Pin] = field(default_factory=list)
+    rows: int = 1
 
     def net(self) -> int:
         self.nets += 1
@@ -139,8 +151,12 @@ class _Plan:
                 return at - column
             case Parallel(parts):
                 return self.parallel(parts, row, column, source, target)
-        self.pieces.append(Placed(node, row, column, source, target))
+        self.put(Placed(node, row, column, source, target))
         return 1
+
+    def put(self, piece: Placed) -> None:
+        self.pieces.append(piece)
+        self.rows = max(self.rows, piece.row + 1)
 
     def parallel(self, parts: tuple[Node, ...], row: int, column: int, source: int, target: int) -> int:
         width, rows = max(map(_width, parts)), []
@@ -158,12 +174,23 @@ class _Plan:
         rows = []
         for one in outs:
             rows.append(row)
-            if isinstance(one, Coil):
-                self.run(row, column, self.columns - 1, net)
-                self.pieces.append(Placed(one, row, self.columns - 1, net, None))
-            else:
+            if isinstance(one, Branch):
                 target = self.net()
                 width = self.node(one.stem, row, column, net, target)
                 self.outs(one.outs, row, column + width, target)
+            else:
+                self.run(row, column, self.columns - 1, net)
+                self.rows = max(self.rows, row + 1)
+                if isinstance(one, Box):
+                    self.inputs(one)
+                self.put(Placed(one, row, self.columns - 1, net, None))
             row += _height(one)
         self.post(column, net, rows, opens=True)
+
+    def inputs(self, box: Box) -> None:
+        """Lead the further inputs of a box to it from the left rail, each below all that stands already."""
+        for name, node in box.pins:
+            row, net = self.rows, self.net()
+            width = self.node(node, row, 0, RAIL, net)
+            self.run(row, width, self.columns - 1, net)
+            self.pins.append(Pin(name, row, net))

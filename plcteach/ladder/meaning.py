@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Generic, TypeVar
 
 from plcteach.core.area import Address
 from plcteach.core.errors import NotRepresentableError
-from plcteach.core.ladder import Coil, Contact, Invert, Node, Out, Parallel, Rung, Series
+from plcteach.core.ladder import Branch, Coil, Compared, Contact, Edge, Invert, Node, Out, Parallel, Rung, Series
 from plcteach.core.text import Text
 from plcteach.machine.signals import Signal
 
@@ -21,15 +21,21 @@ S = TypeVar("S", bound=Signal)
 
 
 def meaning(
-    rung: Rung, bits: Mapping[str, S], *, past: Mapping[str, S] | None = None, dialect: Dialect | None = None
+    rung: Rung,
+    bits: Mapping[str, S],
+    *,
+    past: Mapping[str, S] | None = None,
+    flows: dict[int, S] | None = None,
+    dialect: Dialect | None = None,
 ) -> dict[str, S]:
     """Give what each coil of a rung writes, from top to bottom, a coil above being seen by the contacts below it.
 
-    bits: every bit that the rung reads, and those that it sets or resets, by address as drawn.  past: the bits one scan ago,
-    for edges.  dialect: counts further bits for set and reset coils over several. NotRepresentableError where power meets a
-    coil or NOT straight from the left rail.
+    bits: every bit that the rung reads, and those that it sets or resets, by address as drawn; a comparison stands there by
+    its text (`VW0 >= 5`).  past: the bits one scan ago, for edges of bits.  flows: what edges on the wire and pulse coils saw
+    one scan ago, each by its number in `rung.symbols`; it is brought up to date.  dialect: counts further bits for set and
+    reset coils over several.  Boxes are left out. NotRepresentableError where power meets a coil or NOT straight from the rail.
     """
-    work = _Meaning({**bits}, past or {}, dialect)
+    work = _Meaning({**bits}, past or {}, {} if flows is None else flows, dialect)
     work.outs(rung.outs, work.flow(rung.stem, None) if rung.stem else None)
     return work.written
 
@@ -37,25 +43,32 @@ def meaning(
 class _Meaning(Generic[S]):
     """The bits as the rung changes them on its way down."""
 
-    def __init__(self, bits: dict[str, S], past: Mapping[str, S], dialect: Dialect | None) -> None:
-        self.bits, self.past, self.dialect = bits, past, dialect
+    def __init__(self, bits: dict[str, S], past: Mapping[str, S], flows: dict[int, S], dialect: Dialect | None) -> None:
+        self.bits, self.past, self.flows, self.dialect = bits, past, flows, dialect
         self.written: dict[str, S] = {}
+        self.number = -1
 
     def outs(self, outs: tuple[Out, ...], flow: S | None) -> None:
         for out in outs:
             if isinstance(out, Coil):
                 self.coil(out, _there(flow))
-            else:
+            elif isinstance(out, Branch):
                 self.outs(out.outs, self.flow(out.stem, flow))
+            else:
+                self.number += 1
 
     def flow(self, node: Node, flow: S | None) -> S:
         """Give what comes out of a node on the right when `flow` comes in on the left, None being the rail's own power."""
         match node:
-            case Contact():
+            case Contact() | Compared():
+                self.number += 1
                 closed = self.closed(node)
                 return closed if flow is None else flow & closed
             case Invert():
+                self.number += 1
                 return ~_there(flow)
+            case Edge():
+                return self.edge(node, _there(flow))
             case Parallel(parts):
                 return reduce(operator.or_, [self.flow(part, flow) for part in parts])
             case Series(parts):
@@ -63,13 +76,35 @@ class _Meaning(Generic[S]):
                     flow = self.flow(part, flow)
         return _there(flow)
 
-    def closed(self, contact: Contact) -> S:
+    def closed(self, contact: Contact | Compared) -> S:
+        if isinstance(contact, Compared):
+            return self.bits[contact.text]
         value = self.bits[contact.address]
         if contact.edge:
             return value.edge(self.past.get(contact.address), rising=contact.edge == "rise")
         return ~value if contact.negated else value
 
+    def edge(self, edge: Edge, flow: S) -> S:
+        """Give the edge of a flow; a bit of its own is a bit like any other, and off before the first scan."""
+        if not edge.memory:
+            return self.changed(flow, rising=edge.rising)
+        self.number += 1
+        last = self.bits[edge.memory]
+        self.bits[edge.memory] = self.written[edge.memory] = flow
+        return flow & ~last if edge.rising else ~flow & last
+
+    def changed(self, flow: S, *, rising: bool) -> S:
+        """Give the edge of a flow since it was last here, no edge the first time."""
+        self.number += 1
+        last = self.flows.get(self.number)
+        self.flows[self.number] = flow
+        return flow.edge(last, rising=rising)
+
     def coil(self, coil: Coil, flow: S) -> None:
+        if coil.kind in {"rise", "fall"}:
+            flow = self.changed(flow, rising=coil.kind == "rise")
+        else:
+            self.number += 1
         for address in self.places(coil):
             if coil.kind == "set":
                 value = self.bits[address] | flow

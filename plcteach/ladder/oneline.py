@@ -3,8 +3,10 @@
     rung    = [ sum ] "->" out *( "," out )
     sum     = product *( ( "+" | "|" ) product )
     product = factor *( ( "·" | "*" | "&" ) factor )
-    factor  = address | "/" factor | ( "P" | "N" ) address | "NOT" | "(" sum ")"
-    out     = [ "/" | "S" | "R" ] address [ number ] | "(" rung ")"
+    factor  = address | "/" factor | ( "P" | "N" | "I" ) address | "[" comparison "]" | "(" sum ")"
+            | "NOT" | ( "P" | "N" ) [ ":" address ]
+    out     = [ "/" | "S" | "R" | "P" | "N" | "I" | "SI" | "RI" ] address [ number ] | "(" rung ")"
+            | "{" [ name ":" ] instruction *( ";" name ":" sum ) "}"
 
 An inverted parenthesis is turned into inverted contacts at once (/(a+b) is /a·/b), so that NOT on the wire is written only
 where it is meant.
@@ -13,13 +15,18 @@ where it is meant.
 from __future__ import annotations
 
 import re
+from dataclasses import replace
+from typing import TYPE_CHECKING, NoReturn
 
 from plcteach.core.diagnostic import Diagnostic, rule
 from plcteach.core.ladder import (
     MOST_NESTED,
+    Box,
     Branch,
     Coil,
+    Compared,
     Contact,
+    Edge,
     Invert,
     Node,
     Out,
@@ -33,13 +40,29 @@ from plcteach.core.ladder import (
 )  # fmt: skip
 from plcteach.core.source import Span
 from plcteach.core.text import Text, same
-from plcteach.ladder.symbols import ADDRESS, EDGES, KINDS, coil_of, contact_of
+from plcteach.ladder.symbols import (
+    ADDRESS,
+    EDGES,
+    KINDS,
+    NAME,
+    RESERVED,
+    Input,
+    box,
+    coil_of,
+    compared,
+    contact_of,
+    shortened,
+)  # fmt: skip
 
-_TOKEN = re.compile(rf"\s*(?P<word>->|→|{ADDRESS}|\S)")
+if TYPE_CHECKING:
+    from plcteach.core.ladder import Relation
+
+_TOKEN = re.compile(rf"->|→|\[[^\[\]{{}}]*\]?|\{{[^{{}};]*|{ADDRESS}|\S")
 _ARROW = "->"
 _MOST_OPEN = MOST_NESTED // 3
 _ORS, _ANDS, _NOTS = frozenset("+|∨"), frozenset("·*&•∧⋅"), frozenset("/!¬")
-_MARKS = frozenset({"S", "R", "SET", "RST"})
+_CONTACTS = frozenset({*EDGES, "I"})
+_OPPOSITE: dict[Relation, Relation] = {"=": "<>", "<>": "=", ">=": "<", "<": ">=", "<=": ">", ">": "<="}
 
 
 class _UnreadError(Exception):
@@ -63,11 +86,15 @@ def read_line(text: str, row: int = 1) -> Rung | Diagnostic:
 
 
 class _Parser:
-    """The words of one line with a finger on the next, and how many parentheses are open."""
+    """The words of one line with a finger on the next, and how many parentheses are open.
+
+    wide: what is to be said where an output follows a box of several inputs, once there is one.
+    """
 
     def __init__(self, text: str, row: int) -> None:
-        self.words = [(match["word"].replace("→", _ARROW), *match.span("word")) for match in _TOKEN.finditer(text)]
+        self.words = [(match[0].replace("→", _ARROW), *match.span()) for match in _TOKEN.finditer(text)]
         self.end, self.row, self.next, self.nested = len(text.rstrip()), row, 0, 0
+        self.wide: Diagnostic | None = None
 
     def peek(self, ahead: int = 0) -> str:
         place = self.next + ahead
@@ -79,8 +106,8 @@ class _Parser:
         _, start, stop = self.words[self.next]
         return Span(self.row, start, stop)
 
-    def stop(self, expected: Text) -> None:
-        word = same(self.peek()) if self.peek() else Text("行的结尾", "the end of the line")
+    def stop(self, expected: Text) -> NoReturn:
+        word = same(shortened(self.peek())) if self.peek() else Text("行的结尾", "the end of the line")
         raise _UnreadError(rule("DRW013").at(self.span(), word=word, expected=expected))
 
     def take(self) -> str:
@@ -143,39 +170,69 @@ class _Parser:
         if word == "NOT":
             self.take()
             return Invert()
-        edge = word in EDGES and self.is_address(self.peek(1))
-        if edge:
+        if word.startswith("["):
+            return self.compared()
+        marked = word in _CONTACTS and self.is_address(self.peek(1))
+        if word in EDGES and not marked:
+            return self.edge()
+        if marked:
             self.take()
-        if not self.is_address(self.peek()):
-            self.stop(Text("触点的地址或 (", "the address of a contact, or ("))
-        return contact_of(self.take(), word if edge else "")
+        return contact_of(
+            self.address(Text("触点的地址或 (", "the address of a contact, or (")), word if marked else ""
+        )
+
+    def compared(self) -> Compared:
+        word = self.peek()
+        found = compared(word[1:-1]) if word.endswith("]") else None
+        if found is None:
+            self.stop(Text("一个比较，如 [VW0 >= 5]", "a comparison such as [VW0 >= 5]"))
+        self.take()
+        return found
+
+    def edge(self) -> Edge:
+        rising = EDGES[self.take().upper()] == "rise"
+        if self.peek() != ":":
+            return Edge(rising)
+        self.take()
+        return Edge(rising, self.address(Text("记忆位的地址", "the address of the memory bit")))
+
+    def address(self, expected: Text) -> str:
+        return self.take() if self.is_address(self.peek()) else self.stop(expected)
 
     @staticmethod
     def is_address(word: str) -> bool:
-        return bool(re.fullmatch(ADDRESS, word)) and word.upper() not in {*_MARKS, "NOT", "P", "N"}
+        return bool(re.fullmatch(ADDRESS, word)) and word.upper() not in RESERVED
 
     def inverse(self, node: Node) -> Node:
         """Turn a node round by turning round its contacts, series into parallel and parallel into series."""
         match node:
-            case Contact(address, negated, ""):
-                return Contact(address, negated=not negated)
+            case Contact(_, negated, ""):
+                return replace(node, negated=not negated)
+            case Compared(_, relation):
+                return replace(node, relation=_OPPOSITE[relation])
             case Series(parts):
                 return parallel(*map(self.inverse, parts))
             case Parallel(parts):
                 return series(*map(self.inverse, parts))
-        self.stop(
+        return self.stop(
             Text("能取反的部分（沿和NOT前面不能写 /）", "a part without edges and NOT, for / cannot turn those round")
         )
-        return node
 
     def out(self) -> Out:
+        if self.wide:
+            raise _UnreadError(self.wide)
+        if self.peek().startswith("{"):
+            return self.box()
         if self.peek() == "(":
             self.deeper()
             stem, outs = self.rung()
             self.shallower()
             if stem is None:
                 self.stop(Text("支路的触点", "the contacts of a branch"))
-            return branch(stem or Invert(), *outs)
+            return branch(stem, *outs)
+        return self.coil()
+
+    def coil(self) -> Coil:
         mark = self.peek().upper()
         if mark in KINDS and self.peek(1):
             self.take()
@@ -191,7 +248,32 @@ class _Parser:
             self.stop(
                 Text("逗号；只有S和R可以写位数（1–255）", "a comma; only S and R take a number of bits (1 to 255)")
             )
-        return found or Coil(address)
+        return found
+
+    def box(self) -> Box:
+        word, span = self.peek(), self.span()
+        found = box(word[1:])
+        if isinstance(found, Input):
+            found = found.label
+        if found is None:
+            self.stop(Text("方框里的指令，如 {TON T37, 50}", "a box with its instruction, such as {TON T37, 50}"))
+        self.take()
+        pins = []
+        while self.peek() == ";":
+            self.take()
+            pins.append(self.pin())
+        self.expect("}")
+        if pins:
+            self.wide = rule("DRW020").at(span, word=same(f"{shortened(word)}…}}"))
+        return replace(found, pins=tuple(pins))
+
+    def pin(self) -> tuple[str, Node]:
+        name = self.peek().upper()
+        if not re.fullmatch(NAME, name):
+            self.stop(Text("输入的名字，如 R:", "the name of an input, such as R:"))
+        self.take()
+        self.expect(":")
+        return name, self.sum()
 
 
 def write_line(one: Rung) -> str:
@@ -209,13 +291,24 @@ def _product(node: Node) -> str:
 
 
 def _factor(node: Node) -> str:
-    if isinstance(node, Contact):
-        return f"{node.mark}{node.address}"
-    return "NOT" if isinstance(node, Invert) else f"({_sum(node)})"
+    match node:
+        case Contact():
+            return f"{node.mark}{node.address}"
+        case Compared():
+            return f"[{node.text}]"
+        case Edge():
+            return node.mark
+        case Invert():
+            return "NOT"
+    return f"({_sum(node)})"
 
 
 def _out(one: Out) -> str:
     if isinstance(one, Branch):
         return f"({_sum(one.stem)} -> {', '.join(map(_out, one.outs))})"
+    if isinstance(one, Box):
+        entry = f"{one.entry}: " if one.entry else ""
+        pins = "".join(f"; {name}: {_sum(node)}" for name, node in one.pins)
+        return f"{{{entry}{one.text}{pins}}}"
     count = f" {one.count}" if one.count > 1 else ""
     return f"{'/' if one.kind == 'not' else one.mark}{one.address}{count}"

@@ -1,7 +1,11 @@
 """Text drawing and one-line form to ladder, and back: splits a text into rungs and has each one read.
 
-    --[ I0.0 ]--+--[/I0.1 ]--( Q0.0 )          [ ] [/ ] [P ] [N ] [NOT]   contacts
-    --[ Q0.0 ]--+                              ( ) (/ ) (S ) (R )         coils
+    --[ I0.0 ]--+--[/I0.1 ]--( Q0.0 )          [ ] [/ ] [P ] [N ] [I ] [/I ] [ VW0 >= 5 ]      contacts
+    --[ Q0.0 ]--+                              [NOT] [P] [N] [P:M0.0]                          on the wire
+                                               ( ) (/ ) (S ) (R ) (P ) (N ) (I ) (SI ) (RI )   coils
+    --[ I0.0 ]--{CU: CTU C0, 3 }               a box; its further inputs stand on rows of their own right below it,
+    --[ I0.1 ]--{R:            }               from the left rail
+    --{ LBL 1 }                                a box that takes no flow
 
 Rungs are separated by blank lines or by headings (`Network 1 // title`); `//` begins a comment. Full-width characters and
 box-drawing characters are understood, and columns are counted as they are seen: a full-width character takes two, a tab reaches to the next
@@ -142,19 +146,21 @@ def _row(number: int, given: str, *, wide: bool) -> Row:
         return Row(number, plain, list(range(len(plain))))
     signs: list[str] = []
     places: list[int] = []
+    within = 0
     for place, (sign, seen) in enumerate(zip(plain, given, strict=True)):
         two = wide and unicodedata.east_asian_width(seen) in "WF"
         after = plain[place + 1 : place + 2]
-        cells = " " * (TAB - len(places) % TAB) if seen == "\t" else _double(sign, after) if two else sign
+        cells = " " * (TAB - len(places) % TAB) if seen == "\t" else _double(sign, after, within) if two else sign
+        within = max(0, within + (sign in "[({") - (sign in "])}"))
         signs.append(cells)
         places += [place] * len(cells)
     return Row(number, "".join(signs), places, None if tab < 0 else tab)
 
 
-def _double(sign: str, after: str) -> str:
-    """Give the two columns of a full-width sign."""
+def _double(sign: str, after: str, within: int) -> str:
+    """Give the two columns of a full-width sign; a wire fills both, but within brackets there are no wires."""
     if sign in "])}":
         return FILL + sign
-    if sign in "-|+":
+    if sign in "-|+" and not within:
         return sign + ("-" if sign == "-" or (after and after in "-|+[({") else " ")
     return sign * 2 if sign == " " else sign + FILL

@@ -30,3 +30,8 @@ def is_drawing(text: str) -> bool:
 
 def _plain(text: str) -> str:
     return half_width(text.translate(PLAIN)).replace("→", "->")
+
+
+def is_plcopen(text: str) -> bool:
+    """Say whether a text is an XML file, which is read as PLCopen, by how it begins."""
+    return text[:200].lstrip("\ufeff \t\r\n").startswith("<")

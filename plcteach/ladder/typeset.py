@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from plcteach.ladder.layout import RAIL, Layout, Post, layout
-from plcteach.ladder.symbols import columns, drawn
+from plcteach.ladder.symbols import columns, drawn, drawn_input
 
 if TYPE_CHECKING:
     from plcteach.core.ladder import Ladder, Rung
@@ -57,6 +57,8 @@ class _Sheet:
         self.plan = plan
         self.posts = posts
         self.words = {(piece.row, piece.column): drawn(piece.symbol) for piece in plan.pieces}
+        box = columns(drawn(plan.pieces[-1].symbol))
+        self.words |= {(pin.row, plan.columns - 1): drawn_input(pin.name, box) for pin in plan.pins}
         self.wired = {(run.row, column) for run in plan.runs for column in range(run.start, run.stop)}
         self.widths = [
             max((columns(word) for (_, column), word in self.words.items() if column == wanted), default=0)
@@ -104,7 +106,7 @@ class _Sheet:
         return "|" if any(post.rows[0] < row < post.rows[-1] for post in posts) else ""
 
     def spacer(self, row: int) -> str:
-        """Give a row that only keeps two vertical wires apart."""
+        """Give a row that only keeps two vertical wires apart; a piece of the left rail shows that the rung goes on."""
         signs = ["  "]
         for boundary in range(1, self.plan.columns):
             signs.append(" " * self.widths[boundary - 1])
@@ -113,4 +115,4 @@ class _Sheet:
                 signs.append(f"  {'  '.join('|' if any(some) else ' ' for some in over)}  ")
             else:
                 signs.append("  ")
-        return "".join(signs).rstrip()
+        return "".join(signs).rstrip() or "|"

@@ -13,16 +13,17 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, NamedTuple
 
 from plcteach.core.diagnostic import Diagnostic, rule
-from plcteach.core.ladder import Coil, Contact, Invert
+from plcteach.core.ladder import Box, Coil
+from plcteach.core.ladder import Symbol as Drawn
 from plcteach.core.source import Span
-from plcteach.core.text import NOTHING, Text, same
-from plcteach.ladder.symbols import coil, contact
+from plcteach.core.text import Text, same
+from plcteach.ladder.symbols import Input, box, coil, contact, shortened
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Callable, Iterator
 
 Cell = tuple[int, int]
-Symbol = Contact | Invert | Coil
+Symbol = Drawn | Input
 LEFT = 0
 """The net of the left rail."""
 
@@ -37,7 +38,14 @@ _WIRES = frozenset("-|+")
 _TOKEN = re.compile(
     r"(?P<wire>[-|+]+)|(?P<symbol>\[[^\[\]]*\]|\([^()]*\)|\{[^{}]*\})|(?P<open>[\[\](){}])|(?P<word>[^\s\-|+\[\](){}]+)"
 )
-_SHOWN = 24
+
+
+_READERS: dict[str, tuple[str, Callable[[str], Symbol | None]]] = {
+    "[": ("DRW003", contact),
+    "(": ("DRW004", coil),
+    "{": ("DRW005", box),
+}
+"""What reads the words in a pair of brackets, and what is said where it cannot."""
 
 
 class Row(NamedTuple):
@@ -68,6 +76,11 @@ class Element:
     source: int | None = None
     target: int | None = None
 
+    @property
+    def last(self) -> bool:
+        """Whether a path ends here, at a coil, a box or an input of one."""
+        return isinstance(self.symbol, Coil | Box | Input)
+
 
 @dataclass(slots=True)
 class Sheet:
@@ -79,13 +92,13 @@ class Sheet:
     tips: Counter[Cell] = field(default_factory=Counter)
     found: list[Diagnostic] = field(default_factory=list)
 
-    def say(self, code: str, row: int, start: int, stop: int, *, word: Text = NOTHING, most: int = 0) -> None:
+    def say(self, code: str, row: int, start: int, stop: int, **values: object) -> None:
         """Note a finding at some columns of a row."""
-        self.found.append(rule(code).at(self.rows[row].span(start, stop), word=word, most=most))
+        self.found.append(rule(code).at(self.rows[row].span(start, stop), **values))
 
-    def say_of(self, code: str, element: Element) -> None:
+    def say_of(self, code: str, element: Element, **values: object) -> None:
         """Note a finding at an element, which it names."""
-        self.say(code, element.row, element.start, element.stop, word=self.name(element))
+        self.say(code, element.row, element.start, element.stop, word=self.name(element), **values)
 
     def name(self, element: Element) -> Text:
         """Give an element as it was drawn."""
@@ -104,8 +117,7 @@ class Sheet:
 
 def shown(words: str) -> str:
     """Give what was drawn as a message may show it."""
-    plain = words.replace(FILL, "")
-    return plain if len(plain) <= _SHOWN else f"{plain[:_SHOWN]}…"
+    return shortened(words.replace(FILL, ""))
 
 
 def sheet(rows: list[Row]) -> Sheet:
@@ -137,12 +149,10 @@ def _tokens(out: Sheet, row: int) -> None:
 def _symbol(out: Sheet, row: int, start: int, stop: int) -> None:
     drawn = out.rows[row].signs[start:stop]
     words = drawn[1:-1].replace(FILL, "")
-    if drawn[0] == "{":
-        out.say("DRW005", row, start, stop, word=same(shown(drawn)))
-        return
-    symbol: Symbol | None = contact(words) if drawn[0] == "[" else coil(words)
+    code, read = _READERS[drawn[0]]
+    symbol = read(words)
     if symbol is None:
-        out.say("DRW003" if drawn[0] == "[" else "DRW004", row, start, stop, word=same(shown(drawn)))
+        out.say(code, row, start, stop, word=same(shown(drawn)))
     else:
         out.elements.append(Element(symbol, row, start, stop))
 

@@ -1,5 +1,5 @@
-"""Files for people without a kernel: a player in one page that needs no network, worksheets as PDF."""
+"""Files for people without a kernel: a player page that opens by itself, one for several families, and the lessons to work on."""
 
-from plcteach.publish.page import player_page
+from plcteach.publish.page import families_page, player_page
 
-__all__ = ["player_page"]
+__all__ = ["families_page", "player_page"]

@@ -9,6 +9,7 @@ from plcteach.core.text import Text, language
 from plcteach.figure.page import script, styles
 
 if TYPE_CHECKING:
+    from plcteach.figure.families import Together
     from plcteach.figure.film import Film
 
 _POLICY = "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data:"
@@ -20,20 +21,29 @@ _FOOT = Text(
 
 def player_page(film: Film, lang: str | None = None) -> str:
     """Give a page that plays a film; the language can be switched in it."""
+    return _page(film, lang, "player.js", mount="mountPlayer", what="film")
+
+
+def families_page(together: Together, lang: str | None = None) -> str:
+    """Give a page that plays one ladder in several families at once."""
+    return _page(together, lang, "families.js", mount="mountFamilies", what="data")
+
+
+def _page(shown: Film | Together, lang: str | None, module: str, *, mount: str, what: str) -> str:
     lang = lang or language()
-    title = escape(Text(**film.data["title"]).in_(lang))
-    data = film.json.replace("<", "\\u003c")
     return _PAGE.format(
         lang="zh-CN" if lang == "zh" else "en",
         policy=_POLICY,
-        title=title,
+        title=escape(Text(**shown.data["title"]).in_(lang)),
         styles=styles("player.css"),
         foot=escape(_FOOT.in_(lang)),
         zh=escape(_FOOT.zh),
         en=escape(_FOOT.en),
-        data=data,
-        script=script("player.js").replace("</", "<\\/"),
+        data=shown.json.replace("<", "\\u003c"),
+        script=script(module).replace("</", "<\\/"),
         language=lang,
+        mount=mount,
+        what=what,
     )
 
 
@@ -51,6 +61,7 @@ footer {{ max-width: 1400px; margin: .75rem auto 0; font-size: .8rem; color: #55
 @media (prefers-color-scheme: dark) {{ body {{ background: #16181c; color: #e8e8e8; }} footer {{ color: #b0b0b0; }} }}
 {styles}
 #player .plc-player:not(:fullscreen) {{ max-width: min(1400px, 100%); }}
+#player .plc-together:not(:fullscreen) {{ max-width: 100%; }}
 @media (min-width: 1400px) {{ .plc-player {{ --plc-base: clamp(15px, min(1.15vw, 2vh), 20px); }} }}
 </style>
 </head>
@@ -67,7 +78,7 @@ const followLanguage = (lang) => {{
   document.title = document.querySelector("h1").textContent = say(shown.title, lang);
   foot.textContent = foot.dataset[lang];
 }};
-mountPlayer(document.getElementById("player"), {{ film: shown, lang: "{language}", index: 0, onLang: followLanguage }});
+{mount}(document.getElementById("player"), {{ {what}: shown, lang: "{language}", index: 0, onLang: followLanguage }});
 document.querySelector(".plc-player").focus({{ preventScroll: true }});
 </script>
 </body>

@@ -4,10 +4,13 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from plcteach.dialects import dialect as find_dialect
+from plcteach.dialects import families as all_families
 from plcteach.dialects import names
 from plcteach.figure.verbs import film_of
 from plcteach.widgets.bench import Workbench
 from plcteach.widgets.desk import ExerciseDesk
+from plcteach.widgets.families import FamilyPlayer
 from plcteach.widgets.player import StackPlayer
 
 if TYPE_CHECKING:
@@ -34,6 +37,24 @@ def play(
     at, scans: of a long run, begin so many seconds in and show so many scans.
     """
     return StackPlayer(film_of(text, dialect, inputs, at=at, scans=scans), index=index, size=size)
+
+
+def families(
+    ladder: str | Program,
+    inputs: Mapping[str, int] | None = None,
+    dialect: str | Dialect | None = None,
+    *others: str | Dialect,
+    index: int = 0,
+    size: float = 1.0,
+) -> FamilyPlayer:
+    """Play one ladder (or list) in several families at once: a list and a stack each, all stepping together.
+
+    dialect: the family whose addresses it uses.  others: the families beside it, all four where none is named.
+    """
+    from plcteach.figure.families import together  # noqa: PLC0415 (translation is not needed to play one list)
+
+    beside = [find_dialect(one) for one in others] or all_families()
+    return FamilyPlayer(together(ladder, dialect, beside, inputs), index=index, size=size)
 
 
 def bench(

@@ -10,6 +10,7 @@ scans      generated scans against scans executed line by line, traced or not, a
 growth     how cost grows with the length of a program and with virtual time
 lanes      a thousand timelines side by side against one after the other
 memory     ten minutes of virtual time at 10 ms scans: how long it takes and how much it keeps
+ladders    lifting, lowering and drawing 500 rungs, and how the cost grows with rungs and with nesting
 """
 
 from __future__ import annotations
@@ -379,6 +380,74 @@ def lanes() -> None:
     )
 
 
+RUNG = (
+    "LD I{n}.0; A I{n}.1; LD I{n}.2; AN I{n}.3; OLD; LD M{n}.0; O M{n}.1; ALD; "
+    "LPS; A I{n}.4; = Q{n}.0; LRD; A I{n}.5; = Q{n}.1; LPP; = Q{n}.2"
+)
+
+
+def ladders() -> None:
+    """A rung of two joins and three branches, many times over; then one rung nested ever deeper."""
+    from plcteach.core.ladder import Coil, Contact, Node, Rung, parallel, series
+    from plcteach.figure.ladder import ladder_scene
+    from plcteach.figure.svg import svg
+    from plcteach.ladder.lift import lift
+    from plcteach.ladder.lower import lower
+    from plcteach.ladder.picture import read_drawing, write_drawing
+    from plcteach.stl import read
+
+    def measured(rungs: int) -> dict[str, float]:
+        listed = "\n".join(f"Network {at + 1}\n{RUNG.format(n=at % 15)}" for at in range(rungs))
+        program = read(listed, "s7-200")
+        ladder = lift(program).ladder
+        drawing, scene = write_drawing(ladder), ladder_scene(ladder)
+        work: dict[str, Callable[[], object]] = {
+            "read the list": lambda: read(listed, "s7-200"),
+            "lift it": lambda: lift(program),
+            "lower it again": lambda: lower(ladder, "s7-200"),
+            "write the drawing": lambda: write_drawing(ladder),
+            "read the drawing": lambda: read_drawing(drawing),
+            "plan the picture": lambda: ladder_scene(ladder),
+            "write the SVG": lambda: svg(scene, "en"),
+        }
+        return {name: best(one, 3) for name, one in work.items()}
+
+    few, many = measured(125), measured(500)
+    rows = [
+        (name, f"{many[name] * 1e3:7.0f} ms   {many[name] / few[name]:4.1f} times as long as 125 rungs")
+        for name in many
+    ]
+    show("500 rungs of 12 symbols (7,500 lines)", *rows)
+
+    def nested(depth: int) -> Rung:
+        node: Node = Contact("I0.0")
+        for level in range(depth):
+            node = (
+                parallel(series(node, Contact("I0.1")), Contact("I0.2"))
+                if level % 2
+                else series(parallel(node, Contact("I0.3")), parallel(Contact("I0.4"), Contact("I0.5")))
+            )
+        return Rung(node, (Coil("Q0.0"),))
+
+    told = []
+    for depth in (7, 14, 28):
+        rung = nested(depth)
+        listed = lower(rung, "s7-200-smart")
+        program = read(listed, "s7-200-smart")
+        took = (
+            best(lambda rung=rung: lower(rung, "s7-200-smart")),
+            best(lambda program=program: lift(program)),
+            best(lambda rung=rung: ladder_scene(rung)),
+        )
+        told.append(
+            (
+                f"nested {depth} deep, {len(program.lines)} lines",
+                "lower {:.1f} ms, lift {:.1f} ms, draw {:.1f} ms".format(*(one * 1e3 for one in took)),
+            )
+        )
+    show("one rung, nested", *told)
+
+
 def memory() -> None:
     """Show what ten minutes of virtual time cost."""
     import tracemalloc
@@ -407,7 +476,9 @@ def memory() -> None:
     )
 
 
-BENCHMARKS = {one.__name__: one for one in (step, traced, imports, columns, hostile, scans, growth, lanes, memory)}
+BENCHMARKS = {
+    one.__name__: one for one in (step, traced, imports, columns, hostile, scans, growth, lanes, memory, ladders)
+}
 
 if __name__ == "__main__":
     for wanted in sys.argv[1:] or BENCHMARKS:

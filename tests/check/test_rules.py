@@ -100,6 +100,8 @@ def test_every_other_code_stands_in_some_other_test(code: str) -> None:
     home = {
         "CHK": "check/test_same.py",
         "DRW": "ladder/test_picture.py",
+        "XML": "ladder/test_plcopen.py",
+        "LAD": "ladder/test_lift.py",
         "FIL": "test_contract.py",
         "BOX": "machine/test_gutta_boxes.py",
         "RUN001": "machine/test_scan.py",

@@ -45,3 +45,11 @@ def test_a_program_that_never_ends_its_scan_is_not_tried_for_long() -> None:
     endless = read("LBL 1; LD SM0.0; JMP 1; LD I0.0; = Q0.0")
     verdict = compare(endless, read("LBL 1; LD SM0.0; JMP 1; LDN I0.0; = Q0.0"))
     assert (verdict.status, verdict.explored) == ("unknown", 1)
+
+
+def test_a_word_that_nothing_writes_is_no_free_input_and_stays_zero() -> None:
+    reference = read("LD= D0 K5; OR X0; OUT Y0", "fx")
+    assert compare(reference, reference).status == "equal"
+    assert compare(reference, read("LD X0; OR= D0 K5; OUT Y0", "fx")).status == "unknown"
+    wrong = compare(reference, read("LD= D0 K5; AND X0; OUT Y0", "fx"))
+    assert wrong.status == "different"

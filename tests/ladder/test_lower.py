@@ -2,22 +2,25 @@
 
 from __future__ import annotations
 
+import re
 import sys
 from pathlib import Path
+from random import Random
 
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from plcteach import stl
+from plcteach.check.lint import lint
 from plcteach.core.errors import NotRepresentableError
-from plcteach.core.ladder import Coil, Contact, Ladder, Rung, Series, parallel, rung, series
+from plcteach.core.ladder import Box, Coil, Compared, Contact, Ladder, Rung, Series, parallel, rung, series
 from plcteach.ladder.lower import lower, lower_lines, meaning
 from plcteach.ladder.picture import read_drawing
-from plcteach.machine import ONE, ZERO, Column, Domain, Memory, sweep
+from plcteach.machine import ONE, ZERO, Column, Domain, Memory, run, sweep
 
 sys.path.insert(0, str(Path(__file__).parent))
-from random_ladders import FAMILIES, INPUTS, Plain, bits, ladders, rungs
+from random_ladders import FAMILIES, INPUTS, WORDS, Plain, bits, enriched, ladders, rungs
 
 pytestmark = pytest.mark.no_cover  # many programs: measured lines would take most of the time
 
@@ -76,6 +79,33 @@ def test_the_list_does_what_the_ladder_means(family: str, data: st.DataObject) -
 @given(data=st.data())
 def test_edges_of_contacts_and_not_on_the_wire(family: str, data: st.DataObject) -> None:
     agrees(data.draw(ladders(family, edges=True, turned=True)), family)
+
+
+@pytest.mark.parametrize("how", [{}, {"grouped": True}, {"fused": False}])
+@pytest.mark.parametrize("family", FAMILIES)
+@settings(max_examples=90, deadline=None)
+@given(data=st.data(), seed=st.integers(0, 2**20))
+def test_many_scans_with_edges_pulses_comparisons_and_not_in_parallel(
+    family: str, how: dict[str, bool], data: st.DataObject, seed: int
+) -> None:
+    ladder = enriched(data.draw(ladders(family, edges=family != "gutta", turned=True)), family, data)
+    try:
+        text = lower(ladder, family, **how)
+    except NotRepresentableError as reason:
+        assert re.search("does not begin there|holds no more than|may wait at once", reason.reason.en)  # noqa: PT017
+        return
+    program = stl.read(text, family)
+    assert program.diagnostics == ()
+    assert stl.write(program) == text
+    inputs, outputs = bits(family)
+    chance, plain, word = Random(seed), Plain(), WORDS[family][0]
+    rows = [{**{name: chance.randint(0, 1) for name in inputs}, word: chance.randint(0, 4)} for _ in range(8)]
+    trace = run(program, rows)
+    for row, scan in zip(rows, trace.scans, strict=True):
+        plain.words[word] = row[word]
+        after = plain.scan(ladder, {name: bool(row[name]) for name in inputs})
+        for name in outputs:
+            assert repr(scan[name]) == str(int(after.get(name, False))), text
 
 
 @pytest.mark.parametrize("how", [{"grouped": True}, {"fused": False}, {"grouped": True, "fused": False}])
@@ -212,8 +242,10 @@ REFUSED = [
     ("s7-200", "I0.0 -> I0.1", "is an input"),
     ("neza", "P %Q0.0 -> %Q0.1", "does not take"),
     ("gutta", "P I0.0 -> Q0.0", "remembers the last flow"),
-    ("gutta", "I0.0·(I0.1·NOT + I0.2) -> Q0.0", "does not begin there"),
-    ("s7-200", "I0.0·(NOT + I0.1) -> Q0.0", "no contact on its left"),
+    ("fx", "X0 -> ((X1·NOT + X2) -> Y0), Y1", "does not begin there"),
+    ("neza", "%I0.0 -> ((%I0.1·NOT + %I0.2) -> %Q0.0), %Q0.1", "does not begin there"),
+    ("s7-200", "I0.0 -> ((I0.1·NOT + I0.2) -> Q0.0), Q0.1", "does not begin there"),
+    ("s7-200", "I0.0·I0.1 + NOT -> Q0.0", "no contact on its left"),
     ("s7-200", "NOT·I0.0 -> Q0.0", "no contact on its left"),
     ("s7-200", "-> Q0.0", "left rail itself"),
     ("fx", "X0 -> S Y377 2", "not 2 bits"),
@@ -255,3 +287,211 @@ def test_absurdly_deep_ladders_are_refused_and_not_a_crash() -> None:
         node = Series((node, Contact("I0.1"))) if number % 2 else Series((Contact("I0.1"), node))
     with pytest.raises(NotRepresentableError, match="nested deeper"):
         lower(Rung(node, (Coil("Q0.0"),)), "s7-200")
+
+
+SYMBOLS = [
+    ("s7-200", "I0.0·[VW0 >= 5] + [VB1 <B 200]·[VD4 >R 1.5] -> Q0.0", "LD I0.0/AW>= VW0, 5/LDB< VB1, 200/AR> VD4, 1.5/OLD/= Q0.0"),
+    ("s7-200", "[VD0 <>D VD4] + [T37 < 10] -> Q0.0", "LDD<> VD0, VD4/OW< T37, 10/= Q0.0"),
+    ("fx", "[D0 = K5]·[D2 >D K70000] + X0·[D1 <= D3] -> Y0", "LD= D0 K5/ANDD> D2 K70000/LD X0/AND<= D1 D3/ORB/OUT Y0"),
+    ("neza", "%I0.0·([%MW0 >= 5]·%I0.1 + [%C0.V = 3]) -> %Q0.0", "LD %I0.0/AND( [%MW0 >= 5]/AND %I0.1/OR [%C0.V = 3]/)/ST %Q0.0"),
+    ("gutta", "[MW0 = 5]·([MW2 > MW4] + I0.0) -> Q0.0", "LDW= MW0, 5/LDW> MW2, MW4/O I0.0/ALD/= Q0.0"),
+    ("s7-200", "I I0.0·(/I I0.1 + I I0.2) -> I Q0.0, SI Q0.1 2, RI Q0.4", "LDI I0.0/LDNI I0.1/OI I0.2/ALD/=I Q0.0/SI Q0.1, 2/RI Q0.4, 1"),
+    ("fx", "X0 -> P M0, N M1", "LD X0/PLS M0/PLF M1"),
+    ("s7-200", "I0.0 -> P M0.0, Q0.0", "LD I0.0/LPS/EU/= M0.0/LPP/= Q0.0"),
+    ("s7-200", "I0.0·I0.1·P -> S Q0.0", "LD I0.0/A I0.1/EU/S Q0.0, 1"),
+    ("fx", "X0·X1·N -> Y0", "LD X0/AND X1/MEF/OUT Y0"),
+    ("gutta", "I0.0·P:M0.0 -> Q0.0", "LD I0.0/P M0.0/= Q0.0"),
+    ("s7-200", "I0.0 -> {MOVW VW0, VW2}, (ENO -> {+I VW4, VW2})", "LD I0.0/MOVW VW0, VW2/AENO/+I VW4, VW2"),
+    ("s7-200", "I0.0 -> {TON T37,50}, (I0.1 -> Q0.0)", "LD I0.0/TON T37, 50/A I0.1/= Q0.0"),
+    ("s7-200", "I0.0 -> {CU: CTU C0, 3; R: I0.1 + I0.2·I0.3}", "LD I0.0/LD I0.1/LD I0.2/A I0.3/OLD/CTU C0, 3"),
+    ("s7-200", "I0.0 -> {CU: CTUD C0, 3; R: I0.2; CD: I0.1}", "LD I0.0/LD I0.1/LD I0.2/CTUD C0, 3"),
+    ("gutta", "I0.0 -> {ADD_I MW0, MW2, MW4}, {CTD C0, 5; LD: I0.1}", "LD I0.0/MOVW MW0, MW4/+I MW2, MW4/LD I0.1/CTD C0, 5"),
+    ("neza", "%I0.0 -> {CU: BLK %C0; R: %I0.1}", "BLK %C0/LD %I0.0/CU/LD %I0.1/R/END_BLK"),
+    ("neza", "%I0.0·%I0.1 -> {IN %TM0}, {[ %MW0 := %MW1 + 5 ]}", "LD %I0.0/AND %I0.1/IN %TM0/[%MW0 := %MW1 + 5]"),
+    ("fx", "X0 -> {OUT T0 K10}, R C0, {MOV D0 D1}", "LD X0/OUT T0 K10/RST C0/MOV D0 D1"),
+    ("s7-200", "I0.0 -> {S1: SR Q0.0; R: I0.1}", "LD I0.0/LD I0.1/NOT/A Q0.0/OLD/= Q0.0"),
+    ("s7-200", "I0.0 -> {S: RS Q0.0; R1: I0.1}", "LD I0.0/LD I0.1/NOT/LPS/A Q0.0/= Q0.0/LPP/ALD/O Q0.0/= Q0.0"),
+    ("s7-200", "-> {LBL 1}", "LBL 1"),
+    ("neza", "-> {%L1:}", "%L1:"),
+    ("fx", "-> {STL S20}\nX0 -> Y0\n-> {RET}", "STL S20/LD X0/OUT Y0/RET"),
+    ("s7-200", "I0.0·(I0.1·NOT + I0.2) -> Q0.0", "LD I0.0/LPS/A I0.1/NOT/LDS 1/A I0.2/OLD/= Q0.0"),
+    ("s7-200", "I0.0·(NOT + I0.1) -> Q0.0", "LD I0.0/LPS/NOT/LDS 1/A I0.1/OLD/= Q0.0"),
+    (
+        "s7-200",
+        "I0.0·(NOT + I0.1)·(NOT + I0.2) -> Q0.0",
+        "LD I0.0/LPS/NOT/LDS 1/A I0.1/OLD/LPS/NOT/LDS 1/A I0.2/OLD/= Q0.0",
+    ),
+    ("gutta", "I0.0·(NOT + I0.1) -> Q0.0", "LD I0.0/NOT/LD I0.0/A I0.1/OLD/= Q0.0"),
+    ("gutta", "I0.0·P:M0.0·(NOT + I0.1) -> Q0.0", "LD I0.0/P M0.0/LPS/NOT/LD SM0.0/LPP/A I0.1/OLD/= Q0.0"),
+    ("fx", "X0·(NOT + X1) -> Y0", "LD X0/INV/LD X0/AND X1/ORB/OUT Y0"),
+    ("neza", "%I0.0·(NOT + %I0.1) -> %Q0.0", "LD %I0.0/N/OR( %I0.0/AND %I0.1/)/ST %Q0.0"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("dialect", "line", "expected"), SYMBOLS)
+def test_every_symbol_in_its_familys_spelling(dialect: str, line: str, expected: str) -> None:
+    text = lower(ladder_of(line), dialect)
+    assert listing(line, dialect) == expected
+    again = stl.read(text, dialect)
+    assert not again.diagnostics
+    assert [one.text for one in again.lines] == expected.split("/")
+
+
+WRONG = [
+    ("s7-200", Box("TON T37, 99999"), "lies between 0 and 32767"),
+    ("s7-200", Box("FOO 1"), "has no instruction FOO"),
+    ("s7-200", Box("TON T37, 5; = Q0.0"), "more than one instruction"),
+    ("s7-200", Box("TON T37, 5\nNetwork 2\nLD I0.0"), "TON is complete before"),
+    ("s7-200", Box("LPS"), "is no output"),
+    ("s7-200", Box("EU"), "is no output"),
+    ("s7-200", Box("LBL 1"), "takes no flow"),
+    ("s7-200", Box("CTU C0, 3"), "CU, R, each once, and the drawing has"),
+    ("s7-200", Box("CTU C0, 3", (("RST", Contact("I0.1")),), "CU"), "CU, R, each once"),
+    ("s7-200", Box("CTU C0, 3", (("R", Contact("I0.1")), ("R", Contact("I0.2"))), "CU"), "CU, R, each once"),
+    ("s7-200", Box("SR I0.0", (("R", Contact("I0.1")),), "S1"), "is an input"),
+    ("s7-200", Box("SR Q0.0; = Q0.1", (("R", Contact("I0.1")),), "S1"), "not one bit"),
+    ("fx", Box("TON T37, 5"), "has no instruction TON"),
+    ("neza", Box("BLK %C0", (), "IN"), "R, S, CU, CD, each once"),
+    ("neza", Box("BLK %C0"), "R, S, CU, CD, each once"),
+    ("neza", Box("BLK %C99", (), "CU"), "%C99"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("dialect", "box", "why"), WRONG)
+def test_a_box_that_does_not_read_is_refused_with_the_readers_words(dialect: str, box: Box, why: str) -> None:
+    first = {"s7-200": "I0.0", "fx": "X0", "neza": "%I0.0"}[dialect]
+    with pytest.raises(NotRepresentableError, match=re.escape(why)) as caught:
+        lower(rung(Contact(first), box), dialect)
+    assert not caught.value.reason.en.endswith("..")
+    assert caught.value.reason.zh.startswith("第1级写不成")
+
+
+REFUSED_SYMBOLS = [
+    ("neza", "%I0.0·P -> %Q0.0", "no instruction for an edge of the flow"),
+    ("gutta", "I0.0·P -> Q0.0", "write P:bit"),
+    ("gutta", "I0.0 -> P Q0.0", "write P:bit"),
+    ("neza", "%I0.0 -> P %Q0.0", "no instruction for an edge of the flow"),
+    ("s7-200", "I0.0·P:M0.0 -> Q0.0", "no use for M0.0"),
+    ("fx", "I X0 -> Y0", "immediately"),
+    ("fx", "X0 -> I Y0", "the coil"),
+    ("s7-200", "I M0.0 -> Q0.0", "does not take"),
+    ("neza", "[%MW0 >D 5] -> %Q0.0", "no comparing contact"),
+    ("s7-200", "[X0 > 5] -> Q0.0", "X0 does not read"),
+    ("fx", "X0·ENO -> Y0", "no instruction for the contact"),
+    ("s7-200", "-> {TON T37, 5}", "a contact must come first"),
+]
+
+
+@pytest.mark.parametrize(("dialect", "line", "why"), REFUSED_SYMBOLS)
+def test_a_symbol_that_a_family_has_no_word_for_is_refused(dialect: str, line: str, why: str) -> None:
+    with pytest.raises(NotRepresentableError, match=why) as caught:
+        lower(ladder_of(line), dialect)
+    assert caught.value.reason.zh.startswith("第1级写不成")
+
+
+def test_no_words_of_a_comparison_reach_the_list_unread() -> None:
+    evil = Compared("VW0, 5\n= Q0.7\nLDW> VW0", ">", "5")
+    with pytest.raises(NotRepresentableError, match="not one comparison"):
+        lower(rung(evil, Coil("Q0.0")), "s7-200")
+
+
+@pytest.mark.parametrize("box", ["{S1: SR Q0.0; R: I0.1}", "{S: RS Q0.0; R1: I0.1}"])
+def test_bistables_do_what_their_names_say_and_have_no_double_coil(box: str) -> None:
+    program = stl.read(lower(ladder_of(f"I0.0 -> {box}"), "s7-200"), "s7-200")
+    assert not lint(program)
+    state = 0
+    for at in range(40):
+        chance = Random(at)
+        rows = [(chance.randint(0, 1), chance.randint(0, 1)) for _ in range(6)]
+        trace = run(program, [{"I0.0": s, "I0.1": r} for s, r in rows])
+        state = 0
+        for (s, r), scan in zip(rows, trace.scans, strict=True):
+            state = (s | (state & (1 - r))) if "SR" in box else ((s | state) & (1 - r))
+            assert repr(scan["Q0.0"]) == str(state)
+
+
+def test_a_box_of_several_inputs_behind_branches_and_kept_flows_finds_its_inputs() -> None:
+    text = lower(
+        ladder_of("I0.0·(NOT + I0.1) -> (I0.2 -> Q0.1), {CU: CTUD C0, 2; CD: I0.3; R: I0.4}\n\nC0 -> Q0.0"), "s7-200"
+    )
+    program = stl.read(text, "s7-200")
+    value, before = 0, None
+    chance = Random(5)
+    rows = [
+        {f"I0.{bit}": chance.randint(0, 1) for bit in range(4)} | {"I0.4": chance.randint(0, 9) // 9} for _ in range(60)
+    ]
+    for row, scan in zip(rows, run(program, rows).scans, strict=True):
+        up, down = (1 - row["I0.0"]) | (row["I0.0"] & row["I0.1"]), row["I0.3"]
+        rises = (0, 0) if before is None else (up & (1 - before[0]), down & (1 - before[1]))
+        value, before = 0 if row["I0.4"] else value + rises[0] - rises[1], (up, down)
+        assert repr(scan["Q0.0"]) == str(int(value >= 2 and not row["I0.4"]))
+
+
+@pytest.mark.parametrize("family", FAMILIES)
+@settings(max_examples=80, deadline=None)
+@given(data=st.data())
+def test_each_line_knows_the_symbol_it_stands_for_or_why_it_is_there(family: str, data: st.DataObject) -> None:
+    ladder = enriched(data.draw(ladders(family, turned=True)), family, data)
+    try:
+        lines = lower_lines(ladder, family)
+    except NotRepresentableError:
+        return
+    for line in lines:
+        if line.symbol is None:
+            assert line.reason.zh
+            assert line.reason.en
+        else:
+            symbol = ladder.rungs[line.rung].symbols[line.symbol]
+            word = getattr(symbol, "address", "") or getattr(symbol, "memory", "") or getattr(symbol, "left", "")
+            assert word in line.text or not isinstance(symbol, Contact)
+    for number, one in enumerate(ladder.rungs):
+        shown = {line.symbol for line in lines if line.rung == number} - {None}
+        assert shown == set(range(len(one.symbols)))
+
+
+@pytest.mark.parametrize("family", FAMILIES)
+@settings(max_examples=80, deadline=None)
+@given(data=st.data())
+def test_no_stack_is_ever_deeper_than_the_familys(family: str, data: st.DataObject) -> None:
+    ladder = enriched(data.draw(ladders(family, turned=True)), family, data, words=False)
+    try:
+        program = stl.read(lower(ladder, family), family)
+    except NotRepresentableError:
+        return
+    assert not [one for one in lint(program) if one.severity == "error" and one.code.startswith("STK")]
+
+
+@settings(max_examples=120, deadline=None)
+@given(data=st.data(), seed=st.integers(0, 2**20))
+def test_meaning_agrees_with_plain_values_over_scans(data: st.DataObject, seed: int) -> None:
+    (one,) = enriched(Ladder((data.draw(rungs("fx", turned=True)),)), "fx", data).rungs
+    inputs, outputs = bits("fx")
+    plain, chance, flows = Plain(), Random(seed), {}
+    state = dict.fromkeys(outputs, ZERO)
+    relations = {
+        "=": int.__eq__,
+        "<>": int.__ne__,
+        ">=": int.__ge__,
+        "<=": int.__le__,
+        ">": int.__gt__,
+        "<": int.__lt__,
+    }
+    for _ in range(6):
+        row, number = {name: chance.randint(0, 1) for name in inputs}, chance.randint(0, 4)
+        plain.words["D0"] = number
+        after = plain.scan(Ladder((one,)), {name: bool(value) for name, value in row.items()})
+        compared = {
+            each.text: ONE if relations[each.relation](number, int(each.right[1:])) else ZERO
+            for each in one.symbols
+            if isinstance(each, Compared)
+        }
+        truths = {name: ONE if value else ZERO for name, value in row.items()}
+        state |= meaning(one, {**truths, **state, **compared}, flows=flows)
+        assert {name: state[name] for name in outputs} == {name: ONE if after.get(name) else ZERO for name in outputs}
+
+
+def test_a_meaning_leaves_boxes_out_and_keeps_a_memory_bit() -> None:
+    (one,) = ladder_of("I0.0·P:M0.0 -> {TON T37, 5}, Q0.0").rungs
+    bits_now = {"I0.0": ONE, "M0.0": ZERO, "Q0.0": ZERO}
+    assert meaning(one, bits_now) == {"M0.0": ONE, "Q0.0": ONE}
+    assert meaning(one, {**bits_now, "M0.0": ONE}) == {"M0.0": ONE, "Q0.0": ZERO}

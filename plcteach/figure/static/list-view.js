@@ -11,12 +11,19 @@ const LIST_WORDS = {
 };
 
 /**
- * An empty list. `onLine(line)` is called when a line is chosen, `onBreak(line, on)` when a breakpoint comes or goes.
+ * An empty list. `onLine(line)` is called when a line is chosen, `onBreak(line, on)` when a breakpoint comes or goes,
+ * `onPoint(line)` when a line is pointed at (null: none any more).
  */
-export function makeListView(onLine, onBreak) {
+export function makeListView(onLine, onBreak, onPoint) {
   const scroller = h("div", { className: "plc-list-scroller" });
   const node = h("div", { className: "plc-list" }, scroller);
-  const view = { node, scroller, rows: [], current: null, asked: null, onLine, onBreak };
+  const view = { node, scroller, rows: [], current: null, asked: null, linked: [], onLine, onBreak };
+  const lineOf = (target) => Number(target.closest?.(".plc-line")?.dataset.line ?? NaN);
+  const point = (line) => onPoint?.(Number.isNaN(line) ? null : line);
+  scroller.addEventListener("pointerover", (event) => point(lineOf(event.target)));
+  scroller.addEventListener("pointerleave", () => point(NaN));
+  scroller.addEventListener("focusin", (event) => point(lineOf(event.target)));
+  scroller.addEventListener("focusout", () => point(NaN));
   scroller.addEventListener("click", (event) => chooseLine(view, event.target));
   scroller.addEventListener("keydown", (event) => walkLines(view, event));
   return view;
@@ -24,7 +31,7 @@ export function makeListView(onLine, onBreak) {
 
 /** Draws all lines of a film, once. */
 export function buildList(view, film, lang, breakpoints) {
-  Object.assign(view, { rows: [], current: null, asked: null });
+  Object.assign(view, { rows: [], current: null, asked: null, linked: [] });
   view.scroller.style.setProperty("--plc-head", `${headWidth(film)}ch`);
   view.scroller.classList.toggle("plc-long", film.lines.length > LONG_LIST);
   const networks = film.networks?.length ? film.networks : [{ title: "", first: 0 }];
@@ -98,6 +105,13 @@ function rove(view, line) {
     for (const part of row?.children ?? []) part.tabIndex = index;
   }
   view.tabRow = view.rows[line];
+}
+
+/** Marks the lines that belong to what is pointed at elsewhere. */
+export function linkLines(view, lines) {
+  for (const row of view.linked) row.classList.remove("plc-line-linked");
+  view.linked = lines.map((line) => view.rows[line]).filter(Boolean);
+  for (const row of view.linked) row.classList.add("plc-line-linked");
 }
 
 /** Marks the line that has just been executed (-1: none) and the one that is asked about (-1: none). */

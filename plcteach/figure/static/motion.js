@@ -17,10 +17,15 @@ const GAP_ROWS = 0.25;
 const FOOT_ROWS = 0.75;
 const BESIDE_PITCH = 0.3;
 
-/** Where the columns stand: stacks side by side; a column that is nothing but a register stands above their middle. */
-export function layoutOf(film) {
+/**
+ * Where the columns stand: stacks side by side; a column that is nothing but a register stands above their middle.
+ * aligned: beside other families, so that a register stands as high as another's level 1, and level 1 below it as its level 2.
+ */
+export function layoutOf(film, { aligned = false } = {}) {
   const register = film.columns.some((column) => column.register);
-  const first = register ? CAPTION_ROWS + 1 + GAP_ROWS + CAPTION_ROWS : CAPTION_ROWS;
+  const joined = aligned && film.columns.some((column) => column.register && levelCount(column));
+  const below = CAPTION_ROWS + 1 + (joined ? 0 : GAP_ROWS + CAPTION_ROWS);
+  const first = register ? below : CAPTION_ROWS;
   const stacks = film.columns.filter((column) => levelCount(column) > 0).length;
   let next = 0;
   const columns = film.columns.map((column) => {

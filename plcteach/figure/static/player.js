@@ -5,7 +5,8 @@ import { clampIndex, facesAt, lastIndex, lineTextAt, readFilm, stepOfLine } from
 import { buildStack, makeStackView, setWanted, settle, showNext, showStack, translateStack } from "./stack-view.js";
 import { queueRooms } from "./block-shape.js";
 import { mountBlocks } from "./block-view.js";
-import { buildList, makeListView, markLines } from "./list-view.js";
+import { buildList, linkLines, makeListView, markLines } from "./list-view.js";
+import { buildLadder, makeLadderView, pointLadder, showLadder } from "./ladder-view.js";
 import { freshScore, isQuestion, isRight, makeAskView, translateAsk, verdictWords } from "./ask.js";
 import { makeControls, playerWord, pressToggle, showPlaying, translateControls, updateControls } from "./transport.js";
 import { makeCaption, showCaption, showNothing, showQuestion } from "./caption.js";
@@ -56,7 +57,7 @@ function goTo(player, wanted) {
 function makePlayer(options) {
   const player = {
     options, film: null, index: 0, lang: options.lang ?? "zh",
-    speed: recall("speed", 1), formulas: recall("formulas", false), names: recall("names", false),
+    speed: recall("speed", 1), formulas: recall("formulas", false), names: recall("names", false), ladder: recall("ladder", true),
     asking: options.ask ?? false, pending: -1, verdict: null, score: freshScore(),
     breakpoints: new Set(), timer: null,
   };
@@ -64,14 +65,17 @@ function makePlayer(options) {
   player.shelf = h("div", {});
   player.blocks = mountBlocks(player.shelf, player.lang);
   player.acts = actsOf(player);
-  player.list = makeListView((line) => wishLine(player, line), (line, on) => setBreakpoint(player, line, on));
+  player.rungs = makeLadderView((line) => wishLine(player, line), (lines) => linkLines(player.list, lines));
+  player.list = makeListView(
+    (line) => wishLine(player, line), (line, on) => setBreakpoint(player, line, on), (line) => pointLadder(player.rungs, line),
+  );
   player.answers = makeAskView(player.acts.guess, player.acts.show);
   player.caption = makeCaption(player.answers.node);
   player.controls = makeControls(player.acts, options.compact);
   const picture = h("div", { className: "plc-picture" }, player.list.node, player.stack.node, player.shelf);
   player.figure = h(
     "div", { className: "plc-player", role: "group", tabindex: 0 },
-    player.controls.head, player.controls.node, picture, player.caption.node,
+    player.controls.head, player.controls.node, player.rungs.node, picture, player.caption.node,
   );
   player.figure.classList.toggle("plc-compact", Boolean(options.compact));
   return player;
@@ -95,6 +99,7 @@ function actsOf(player) {
     speed: (times) => keep(player, "speed", times),
     formulas: () => toggleWanted(player, "formulas"),
     names: () => toggleWanted(player, "names"),
+    ladder: () => toggleLadder(player),
     asking: () => toggleAsking(player),
     language: () => changeLanguage(player),
     bigger: () => resizeType(player.figure, 1),
@@ -138,6 +143,7 @@ function writeAll(player) {
     translateStack(player.stack, lang);
     buildList(player.list, film, lang, player.breakpoints);
   }
+  drawLadder(player);
   draw(player, player.index, 0);
 }
 
@@ -150,6 +156,7 @@ function draw(player, from, ms) {
   const score = player.asking ? player.score : null;
   markLines(player.list, film.steps[index].line, asked ? film.steps[pending].line : -1);
   showStack(player.stack, index, from, ms);
+  showLadder(player.rungs, index);
   const neighbours = ms > 0 && Math.abs(index - from) === 1;
   player.blocks.show(facesAt(film, index), lang, { animate: neighbours, ms, rooms: player.rooms });
   showNext(player.stack, asked ? lineTextAt(film, pending) : null);
@@ -241,7 +248,23 @@ function toggleWanted(player, name) {
   keep(player, name, !player[name]);
   pressToggle(player.controls, name, player[name]);
   setWanted(player.stack, player);
+  drawLadder(player);
   if (player.film) draw(player, player.index, 0);
+}
+
+/** Draws the ladder anew, with or without formulas, if there is one and the reader wants it. */
+function drawLadder(player) {
+  const { film, lang, formulas } = player;
+  player.controls.parts.ladder.hidden = !film?.ladder;
+  buildLadder(player.rungs, film, lang, { shown: player.ladder, formulas });
+}
+
+/** Shows or hides the ladder. */
+function toggleLadder(player) {
+  keep(player, "ladder", !player.ladder);
+  pressToggle(player.controls, "ladder", player.ladder);
+  drawLadder(player);
+  if (player.film) showLadder(player.rungs, player.index);
 }
 
 /** Turns questions on or off; each time the count begins anew. */

@@ -33,10 +33,10 @@ export function makeStackView() {
   };
 }
 
-/** Takes another film: forgets all cells; `translateStack` draws the empty columns. */
-export function buildStack(view, film) {
+/** Takes another film: forgets all cells; `translateStack` draws the empty columns. `options`: see `layoutOf`. */
+export function buildStack(view, film, options) {
   settle(view);
-  Object.assign(view, { film, layout: layoutOf(film) });
+  Object.assign(view, { film, layout: layoutOf(film, options) });
   for (const face of view.faces.values()) face.node.remove();
   view.faces.clear();
   const { width, height, foot } = view.layout;

@@ -18,6 +18,8 @@ const PLAYER_WORDS = {
   formulasHint: { zh: "在每一格里显示逻辑表达式", en: "Show the Boolean formula in each cell" },
   names: { zh: "名称", en: "Names" },
   namesHint: { zh: "在每一格里显示值的名称（iv0、S0 …）", en: "Show the value's name in each cell (iv0, S0 …)" },
+  ladder: { zh: "梯形图", en: "Ladder" },
+  ladderHint: { zh: "在指令表上方显示梯形图", en: "Show the ladder above the list" },
   asking: { zh: "先猜后看", en: "Ask first" },
   askingHint: { zh: "每一步先猜结果，再看画面", en: "Guess each result before it is shown" },
   language: { zh: "EN: switch to English", en: "中：切换到中文" },
@@ -38,7 +40,7 @@ export function playerWord(name, lang) {
 
 /**
  * The controls, empty until `translateControls`.
- * @param {Object<string, Function>} acts first prev play next last seek speed formulas names asking language
+ * @param {Object<string, Function>} acts first prev play next last seek speed ladder formulas names asking language
  *   bigger smaller full
  */
 export function makeControls(acts, compact) {
@@ -66,7 +68,7 @@ export function translateControls(view, state) {
     title: h("div", { className: "plc-title" }),
     first: step("first"), prev: step("prev"), play: step("play"), next: step("next"), last: step("last"),
     slider: sliderPart(view, lang), count: h("output", { className: "plc-count" }), speed: speedPart(view, state),
-    formulas: toggle("formulas"), names: toggle("names"), asking: toggle("asking"),
+    ladder: toggle("ladder"), formulas: toggle("formulas"), names: toggle("names"), asking: toggle("asking"),
     language: act("language", { icon: "globe", text: lang === "zh" ? "EN" : "中" }),
     full: document.fullscreenEnabled && act("full", { icon: "full-screen" }),
   };
@@ -85,14 +87,14 @@ function fillHead(view, act) {
 
 /** The bar above the picture, which stays in place however long the words below it are; a compact player has its full-screen button here. */
 function fillTransport(view, lang) {
-  const { first, prev, play, next, last, slider, count, speed, formulas, names, asking, full } = view.parts;
+  const { first, prev, play, next, last, slider, count, speed, ladder, formulas, names, asking, full } = view.parts;
   const group = (name, className, ...parts) => (
     h("div", { className, role: "group", "aria-label": playerWord(name, lang) }, parts)
   );
   view.node.replaceChildren(
     group("steps", "plc-steps", first, prev, play, next, last),
     h("div", { className: "plc-seek" }, slider, count),
-    group("view", "plc-view", speed, formulas, names, asking, view.compact && full),
+    group("view", "plc-view", speed, ladder, formulas, names, asking, view.compact && full),
   );
 }
 
