@@ -24,9 +24,11 @@ from typing import TYPE_CHECKING
 
 from plcteach.check.pair import MOST_SETTLING_SCANS, Key, Machine, Pair, either, pair_of
 from plcteach.check.tried import LASTING, beyond_bits, different, tried
-from plcteach.core.diagnostic import Diagnostic, rule
+from plcteach.core.diagnostic import Diagnostic, refuse, rule
 from plcteach.core.source import Span
 from plcteach.core.verdict import Proof, Status, Verdict
+from plcteach.dialects import names
+from plcteach.ladder.either import read_either
 from plcteach.machine.rows import Rows
 from plcteach.machine.scan import run
 from plcteach.machine.signals import ONE, ZERO, Column, X
@@ -35,6 +37,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping
 
     from plcteach.core.program import Program
+    from plcteach.core.spec import Dialect
 
 MOST_VARIABLES = 20
 MOST_SEARCHED_INPUTS = 12
@@ -42,13 +45,22 @@ MOST_STATES = 4_000
 MOST_INSTRUCTIONS = 2_000
 
 
-def compare(reference: Program, student: Program, *, outputs: Iterable[str] = (), level: str = "exact") -> Verdict:
+def compare(
+    reference: Program | str,
+    student: Program | str,
+    dialect: str | Dialect | None = None,
+    *,
+    outputs: Iterable[str] = (),
+    level: str = "exact",
+) -> Verdict:
     """Judge whether the student's program does what the reference does; neither may have an error.
 
-    outputs: the addresses compared; by default the outputs that the reference writes.
+    Each may be a program, or the text of a list or a drawing in the family `dialect`, and then PlcTeachError says what is wrong
+    with it.  outputs: the addresses compared; by default the outputs that the reference writes.
     level: "exact" compares at the end of every scan; "settled" holds the inputs until both are at rest and compares then;
     "either" takes what is right at one of the two, and says where it reacts later.
     """
+    reference, student = _sound(reference, dialect), _sound(student, dialect)
     pair = pair_of(reference, student, tuple(outputs))
     if beyond_bits(reference) or beyond_bits(student):
         return _tried(pair, level)
@@ -79,6 +91,14 @@ def _judged(pair: Pair) -> Verdict:
 
 def _same_text(reference: Program, student: Program) -> bool:
     return _instructions(reference) == _instructions(student) and reference.settings == student.settings
+
+
+def _sound(text: Program | str, dialect: str | Dialect | None) -> Program:
+    if not isinstance(text, str):
+        return text
+    program = read_either(text, dialect or names()[0])
+    refuse(program.diagnostics)
+    return program
 
 
 def _tried(pair: Pair, level: str) -> Verdict:

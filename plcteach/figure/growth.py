@@ -100,8 +100,26 @@ class Growth:
         born = {plan.pieces[number].target for number in executed} | {RAIL}
         return frozenset({piece.target for piece in plan.pieces if piece.target is not None} - born)
 
+    def joints(self) -> dict[tuple[int, int, bool], int]:
+        """Give for each vertical wire (rung, net, opens) that a join makes the line of that join."""
+        found: dict[tuple[int, int, bool], int] = {}
+        for number, one in enumerate(self.lifted.growth):
+            if not one.blocks or not all(one.blocks):
+                continue
+            (rung, upper), (other, lower) = (block[-1] for block in one.blocks)
+            if rung != other or rung >= MOST_RUNGS:
+                continue
+            pieces, first = self.plans[rung].pieces, one.blocks[1][0][1]
+            ends = pieces[upper].target, pieces[lower].target
+            if ends[0] == ends[1] and ends[0] is not None:
+                found[rung, ends[0], False] = number
+            elif ends[0] is not None and pieces[first].source == ends[0]:
+                found[rung, ends[0], True] = number
+        return found
+
     def data(self) -> dict[str, Any]:
         """Give the fixed part: the drawn rungs, the lines of each sign, and what each line has drawn and joined."""
+        joints = self.joints()
         frame = frame_of(self.plans, COLUMNS, fewest=_FEWEST, left=_LEFT) if self.plans else None
         rungs = [
             {
@@ -110,6 +128,9 @@ class Growth:
                 "title": one.rung.title,
                 "lines": [list(lines) for lines in one.sources],
                 "nets": _feeders(self.plans[number]),
+                "joints": {
+                    f"{net}-{int(opens)}": line for (rung, net, opens), line in joints.items() if rung == number
+                },
                 "formulas": [list(pair) for pair in formulas(one.rung)],
             }
             for number, one in enumerate(self.lifted.rungs[:MOST_RUNGS])

@@ -92,13 +92,15 @@ def _named(ladder: Ladder, growth: Growth) -> Ladder:
 
 def _looks(growth: Growth, line: int) -> dict[int, Look]:
     """Give for each rung what the first lines of the list have built, and the brackets of the last of them."""
-    told = growth.lifted.growth[line - 1]
+    told, joints = growth.lifted.growth[line - 1], growth.joints()
     looks = {}
     for number, one in enumerate(growth.lifted.rungs):
         unbuilt = frozenset(at for at, lines in enumerate(one.sources) if lines[0] >= line)
         groups = [frozenset(at for rung, at in block if rung == number) for block in told.blocks or ()]
         last = line == len(growth.program.lines)
-        looks[number] = Look(unbuilt=unbuilt, brackets=() if last else tuple(group for group in groups if group))
+        loose = frozenset((net, opens) for (rung, net, opens), at in joints.items() if rung == number and at >= line)
+        brackets = () if last else tuple(group for group in groups if group)
+        looks[number] = Look(unbuilt=unbuilt, brackets=brackets, loose=loose)
     return looks
 
 

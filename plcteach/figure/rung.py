@@ -29,6 +29,10 @@ _INSET = 18.0
 """So far off the left rail goes on what a band above has begun."""
 
 
+Joint = tuple[int, bool]
+"""A vertical wire by its net, and whether paths part there (True) or come together."""
+
+
 @dataclass(frozen=True, slots=True)
 class Frame:
     """What all rungs of a ladder share: the left rail, the width of a cell and of the last column, how many columns fit."""
@@ -53,6 +57,7 @@ class Frame:
 class Look:
     """How a rung is shown: by symbol numbers, those that are not built yet and the groups that are bracketed.
 
+    loose: nets whose paths nothing has joined yet, each with whether the joint opens (a block in series) or closes (parallel).
     conducts: what lets power through; None where no power is shown.  live: it will be pointed at, so every sign gets an area.
     """
 
@@ -60,6 +65,7 @@ class Look:
     conducts: Conducts | None = None
     unbuilt: frozenset[int] = frozenset()
     brackets: tuple[frozenset[int], ...] = ()
+    loose: frozenset[Joint] = frozenset()
     live: bool = False
 
 
@@ -182,11 +188,20 @@ class Picture:
     def upright(self, post: Post) -> Iterator[Stroke]:
         """Give a vertical wire, and the short one that joins it to its twin."""
         number = self.band_of(post.boundary if post.opens else post.boundary - 1)
-        band, ink = self.cut[number], self.ink_of(post.net)
+        band, ink, part = self.cut[number], self.ink_of_joint(post), self.joint(post)
         x, top = self.x(band, post.boundary, post.net, opens=post.opens), self.y(number, post.rows[0])
-        yield Stroke(((x, top), (x, self.y(number, post.rows[-1]))), ink, part=self.net(post.net))
+        yield Stroke(((x, top), (x, self.y(number, post.rows[-1]))), ink, part=part)
         if post.opens and (post.boundary, post.net) in self.plan.doubled:
-            yield self.wire(x - (1 if post.boundary == band.start > 0 else 2) * _BESIDE, x, top, post.net)
+            start = x - (1 if post.boundary == band.start > 0 else 2) * _BESIDE
+            yield Stroke(((start, top), (x, top)), ink, part=part)
+
+    def ink_of_joint(self, post: Post) -> str:
+        """Give the ink of a vertical wire: pale until something has joined its paths."""
+        return "unbuilt" if (post.net, post.opens) in self.look.loose else self.ink_of(post.net)
+
+    def joint(self, post: Post) -> str:
+        """Give the name of the part that is a vertical wire."""
+        return f"j{self.number}-{post.net}-{int(post.opens)}"
 
     def links(self) -> Iterator[Stroke]:
         """Lead each band's wire out with an arrow at the right, and with one into the next band, off the left rail."""
@@ -209,7 +224,9 @@ class Picture:
         return Stroke(((start, y), (stop, y)), self.ink_of(net), part=self.net(net))
 
     def ink_of(self, net: int | None) -> str:
-        """Give the ink of a net: alive, not built yet, or plain."""
+        """Give the ink of a net: not built or not joined yet, alive, or plain."""
+        if (net, False) in self.look.loose:
+            return "unbuilt"
         if net in self.live:
             return "wire-on"
         feeds = [number for piece, number in self.pieces.items() if piece.target == net]
@@ -228,8 +245,8 @@ class Picture:
             x = self.x(self.cut[number], post.boundary, post.net, opens=post.opens)
             for row in post.rows:
                 if self.joins(post, row, filled):
-                    ink = "dot-off" if self.ink_of(post.net) == "unbuilt" else "dot"
-                    yield Disc(x, self.y(number, row), 2.6, ink, part=self.net(post.net))
+                    ink = "dot-off" if self.ink_of_joint(post) == "unbuilt" else "dot"
+                    yield Disc(x, self.y(number, row), 2.6, ink, part=self.joint(post))
 
     def joins(self, post: Post, row: int, filled: set[tuple[int, int]]) -> bool:
         """Say whether at least three wires meet, so that a dot must tell a joint from a corner."""

@@ -40,7 +40,8 @@ def _apart(network: Network, first: int, groups: list[Group]) -> Iterator[Diagno
     rungs = [(group.root.piece.at, group.outputs[-1].at) for group in groups if group.root]
     for (_, last), (begin, _) in pairwise(rungs[:2]):
         note = Note(network.lines[last - first].span, _BEFORE)
-        yield _at("LAD007", network.lines[max(begin, last + 1) - first], note)
+        behind = network.lines[last + 1 - first : max(begin, last + 1) + 1 - first]
+        yield _at("LAD007", next((line for line in behind if line.places), behind[-1]), note)
 
 
 def _alone(network: Network, first: int, groups: list[Group]) -> Iterator[Diagnostic]:

@@ -8,6 +8,7 @@ a scan, a note says so.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from html import escape
 from typing import TYPE_CHECKING
 
 from plcteach.core.area import Address
@@ -32,6 +33,9 @@ if TYPE_CHECKING:
     from plcteach.core.spec import Dialect
 
 
+_NOTE = Text("注意", "note")
+
+
 @dataclass(frozen=True, slots=True)
 class Translation:
     """The text in the other family, the program that it reads as, the table of addresses, and what there is to say.
@@ -45,7 +49,12 @@ class Translation:
     notes: tuple[Text, ...]
 
     def __repr__(self) -> str:
-        return f"Translation({self.program!r}, {len(self.addresses)} addresses, {len(self.notes)} notes)"
+        said = "".join(f"\n{_NOTE.in_(language())}: {one.in_(language())}" for one in self.notes)
+        return self.text.rstrip("\n") + said
+
+    def _repr_html_(self) -> str:
+        notes = "".join(f"<li>{escape(one.in_(language()))}</li>" for one in self.notes)
+        return f"<pre>{escape(self.text)}</pre>" + (f"<p>{_NOTE.in_(language())}</p><ul>{notes}</ul>" if notes else "")
 
 
 def translate(program: Program, to: str | Dialect) -> Translation:

@@ -6,6 +6,7 @@ cannot do (an x in an input, an address written from outside) is done line by li
 
 from __future__ import annotations
 
+from bisect import bisect_right
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
@@ -203,6 +204,23 @@ class Recorder:
                 if place.text in asked:
                     asked.discard(place.text)
                     yield rule("RUN004").at(line.span, block=place.text)
+
+    def forget(self, scan: int) -> int:
+        """Forget the scans before one, so that a run without an end keeps no more than is wanted; give how many are gone.
+
+        Whole stretches between two kept memories go, so a few scans more than asked for may stay; later numbers shift down.
+        """
+        gone = scan - scan % APART
+        if gone <= 0:
+            return 0
+        self.first_ms = self.starts[gone] - self.starts[gone - 1]
+        del self.starts[:gone], self.inputs[:gone]
+        self.checkpoints = {at - gone: memory for at, memory in self.checkpoints.items() if at >= gone}
+        for when, values in self.changes.values():
+            at = bisect_right(when, gone)
+            del when[: at - 1], values[: at - 1]
+            when[:] = [max(0, one - gone) for one in when]
+        return gone
 
     def trace(self) -> Trace:
         """Give what the run leaves."""

@@ -12,6 +12,7 @@ from plcteach.core.ladder import Coil, Compared, Contact, Edge, Invert, Ladder, 
 from plcteach.figure.bands import bands
 from plcteach.figure.ink import INKS
 from plcteach.figure.ladder import ladder_scene
+from plcteach.figure.ladders import lift
 from plcteach.figure.rung import Look
 from plcteach.figure.scene import Box, Scene, Stroke, Words
 from plcteach.figure.svg import svg
@@ -105,6 +106,8 @@ def test_every_shape_of_a_sign_bears_its_number_and_every_wire_that_of_its_net()
     assert {shape.part[:2] for shape in scene.shapes if isinstance(shape, Stroke) and shape.ink == "wire"} == {
         "n0",
         "n1",
+        "j0",
+        "j1",
     }
     drawn = svg(scene, "en")
     assert drawn.count('data-part="s0-4"') == 1
@@ -161,3 +164,24 @@ def test_power_reaches_a_box_and_its_further_input_by_its_own_wire() -> None:
     scene = ladder_scene(COUNTER, powered={"I0.1": 1})
     pin = layout(COUNTER).pins[0]
     assert {stroke.ink for stroke in strokes(scene, f"n0-{pin.source}")} == {"wire-on"}
+
+
+def test_two_blocks_stand_apart_until_their_join_is_executed() -> None:
+    def ink(line: int) -> set[str]:
+        figure = lift("LD I0.0; A I0.1; LD I0.2; A I0.3; OLD; = Q0.0", "s7-200", line=line)
+        return {shape.ink for shape in figure.scene.shapes if shape.part == "j0-1-0" and isinstance(shape, Stroke)}
+
+    assert ink(4) == {"unbuilt"}
+    assert ink(5) == {"wire"}
+
+
+def test_a_block_in_series_hangs_on_nothing_until_its_join_is_executed() -> None:
+    def inks(line: int) -> set[str]:
+        figure = lift("LD I0.0; O I0.1; LD I0.2; O I0.3; ALD; = Q0.0", "s7-200", line=line)
+        (joint,) = {
+            shape.part for shape in figure.scene.shapes if shape.part.startswith("j0") and shape.part.endswith("-1")
+        } - {"j0-0-1"}
+        return {shape.ink for shape in figure.scene.shapes if shape.part == joint and isinstance(shape, Stroke)}
+
+    assert inks(4) == {"unbuilt"}
+    assert inks(5) == {"wire"}

@@ -2,13 +2,13 @@
 
 import assert from "node:assert/strict";
 import test from "node:test";
-import { builtAt, linesOfPart, litAt, wiresBuilt } from "../../plcteach/figure/static/ladder-shape.js";
+import { builtAt, executedAt, linesOfPart, litAt, netOf, wiresBuilt } from "../../plcteach/figure/static/ladder-shape.js";
 
 /** LD a, LD b, OLD, = q in two scans: two contacts in parallel and a coil. */
 function hand() {
   return {
     ladder: {
-      rungs: [{ lines: [[0], [1, 2], [3]], nets: { 1: [0, 1] } }],
+      rungs: [{ lines: [[0], [1, 2], [3]], nets: { 1: [0, 1] }, joints: { "1-0": 2 } }],
       growth: [{ added: ["s0-0"] }, { added: ["s0-1"] }, { blocks: [["s0-0"], ["s0-1"]] }, { added: ["s0-2"] }],
     },
     steps: [
@@ -37,10 +37,16 @@ test("power comes and goes by what each step says", () => {
   assert.deepEqual(on(6), ["n0-0"]);
 });
 
-test("a wire is there once one of the signs on its left is, and the rail always", () => {
+test("a wire is there once one of the signs on its left is, the rail always, a joint once its join has been executed", () => {
   const film = hand();
-  assert.deepEqual([...wiresBuilt(film, new Set())], ["n0-0"]);
-  assert.deepEqual([...wiresBuilt(film, new Set(["s0-1"]))], ["n0-0", "n0-1"]);
+  const at = (index) => [...wiresBuilt(film, builtAt(film, index), executedAt(film, index))].sort();
+  const rail = ["j0-0-0", "j0-0-1", "n0-0"];
+  assert.deepEqual(at(0), rail);
+  assert.deepEqual(at(2), rail);
+  assert.deepEqual(at(3), [...rail, "j0-1-0", "j0-1-1", "n0-1"].sort());
+  assert.deepEqual(at(6), rail, "the next scan begins anew");
+  assert.equal(netOf("j0-1-0"), "n0-1");
+  assert.equal(netOf("n0-1"), "n0-1");
 });
 
 test("a sign names the lines that made it, its own first", () => {

@@ -166,7 +166,7 @@ def enriched(ladder: Ladder, family: str, data: st.DataObject, *, words: bool = 
     def edge() -> Edge:
         nonlocal count
         count += 1
-        return Edge(data.draw(st.booleans()), f"M1.{count}" if family == "gutta" else "")
+        return Edge(data.draw(st.booleans()), f"M{1 + count // 8}.{count % 8}" if family == "gutta" else "")
 
     def node(one: Node, *, inside: bool = False) -> Node:
         if isinstance(one, Series):

@@ -33,16 +33,39 @@ export function litAt(film, index) {
   });
 }
 
-/** The nets of wire with a drawn sign on their left; the rail is always there. @returns {Set<string>} */
-export function wiresBuilt(film, built) {
+const RUN_OF = new WeakMap();
+
+/** The lines that this scan has executed up to a step. @returns {Set<number>} */
+export function executedAt(film, index) {
+  return along(RUN_OF, film, index, (before, step) => {
+    if (step.line < 0) return new Set();
+    return before.has(step.line) ? before : new Set([...before, step.line]);
+  });
+}
+
+/**
+ * The wires that are there: the rail, nets with a drawn sign on their left whose paths are joined, and each vertical wire once
+ * its join has been executed, if it takes one. @returns {Set<string>}
+ */
+export function wiresBuilt(film, built, executed) {
   const there = new Set();
-  film.ladder.rungs.forEach(({ nets }, rung) => {
-    there.add(`n${rung}-0`);
-    for (const [net, signs] of Object.entries(nets)) {
-      if (signs.some((at) => built.has(`s${rung}-${at}`))) there.add(`n${rung}-${net}`);
+  film.ladder.rungs.forEach(({ nets, joints = {} }, rung) => {
+    for (const [net, signs] of [["0", null], ...Object.entries(nets)]) {
+      const joined = joints[`${net}-0`] === undefined || executed.has(joints[`${net}-0`]);
+      if (signs && !(joined && signs.some((at) => built.has(`s${rung}-${at}`)))) continue;
+      there.add(`n${rung}-${net}`);
+      for (const opens of ["0", "1"]) {
+        const line = joints[`${net}-${opens}`];
+        if (line === undefined || executed.has(line)) there.add(`j${rung}-${net}-${opens}`);
+      }
     }
   });
   return there;
+}
+
+/** The net that a part of the wires belongs to: a vertical wire is alive with its net. */
+export function netOf(part) {
+  return part.startsWith("j") ? `n${part.slice(1).split("-").slice(0, 2).join("-")}` : part;
 }
 
 /** The lines that have made a sign, its own first. @returns {number[]} */

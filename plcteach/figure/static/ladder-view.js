@@ -1,7 +1,7 @@
 // Knows how to show a ladder beside its list: which signs are drawn already, which carry power, and which belong to a line.
 
 import { h, say, svgEl } from "./ui.js";
-import { builtAt, linesOfPart, litAt, wiresBuilt } from "./ladder-shape.js";
+import { builtAt, executedAt, linesOfPart, litAt, netOf, wiresBuilt } from "./ladder-shape.js";
 
 const LADDER_WORDS = {
   ladder: { zh: "梯形图", en: "Ladder diagram" },
@@ -79,18 +79,30 @@ function nameParts(view, lang) {
 export function showLadder(view, index) {
   const { film } = view;
   if (!film?.ladder || view.node.hidden) return;
-  const [built, lit] = [builtAt(film, index), litAt(film, index)];
-  const wires = wiresBuilt(film, built);
-  for (const [part, groups] of view.parts) {
-    const there = part.startsWith("s") ? built.has(part) : wires.has(part);
-    for (const group of groups) {
-      group.classList.toggle("plc-unbuilt", !there);
-      group.classList.toggle("plc-lit", lit.has(part));
-    }
-  }
+  const built = builtAt(film, index);
+  const wires = wiresBuilt(film, built, executedAt(film, index));
+  paintParts(view, (part) => (part.startsWith("s") ? built.has(part) : wires.has(part)), litAt(film, index));
   Object.assign(view, { line: film.steps[index].line, index });
   markLadder(view, view.line);
   keepInSight(view);
+}
+
+/** Shows which parts are there and which carry power; a wire that is not there carries none. */
+function paintParts(view, isThere, lit) {
+  for (const [part, groups] of view.parts) {
+    const there = isThere(part);
+    const on = there && lit.has(netOf(part));
+    for (const group of groups) {
+      group.classList.toggle("plc-unbuilt", !there);
+      group.classList.toggle("plc-lit", on);
+    }
+  }
+}
+
+/** Shows a whole ladder with its power, as it runs: nothing is being built, no line is marked. */
+export function lightLadder(view, lit) {
+  if (view.node.hidden) return;
+  paintParts(view, () => true, lit);
 }
 
 /** Points at a line of the list: its signs are marked instead of those of the step; null: at none. */

@@ -40,7 +40,7 @@ export function layoutOf(film, { aligned = false } = {}) {
     };
   });
   const end = Math.max(...columns.map((column) => column.end));
-  return { width: Math.max(1, stacks), height: end + FOOT_ROWS, foot: FOOT_ROWS, register, columns };
+  return { width: Math.max(1, stacks), height: end + FOOT_ROWS, foot: FOOT_ROWS, register, joined, columns };
 }
 
 /** How many levels of a column are drawn below its register. */

@@ -80,7 +80,7 @@ function columnBackdrop(view, at) {
     parts.push(placedAt({ x: place.x, y: place.register }, "plc-row plc-row-register", emptySlot()));
   }
   if (!place.levels) return parts;
-  parts.push(captionOf(place.x, place.first, say(STACK_WORDS.top, lang), say(column.title, lang)));
+  if (!layout.joined) parts.push(captionOf(place.x, place.first, say(STACK_WORDS.top, lang), say(column.title, lang)));
   for (let level = 0; level < place.levels; level += 1) {
     const at = { x: place.x, y: place.first + level };
     parts.push(placedAt(at, "plc-row", levelLabel(level + 1, lang), emptySlot()));

@@ -1,0 +1,161 @@
+"""What a live bench shows of one moment: values beside the lines, power in the ladder, lamps, words, faces, and the chart so far.
+
+Everything is a pure reading of one scan, run again line by line; a part that is as it was is not said again.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
+
+from plcteach.core.program import Value
+from plcteach.core.text import Text
+from plcteach.figure.cast import cast
+from plcteach.figure.faces import Blocks
+from plcteach.figure.film import film
+from plcteach.figure.growth import Growth
+
+if TYPE_CHECKING:
+    from plcteach.core.area import Address
+    from plcteach.core.program import Program
+    from plcteach.figure.symbol import Style
+    from plcteach.machine.live import Live
+    from plcteach.machine.signals import Column
+    from plcteach.machine.step import Step
+    from plcteach.machine.trace import Scan
+
+LEVELS = 4
+"""So many levels of the stack stand beside a line, as the vendors' status view has them."""
+
+
+@dataclass(slots=True)
+class Watch:
+    """A live run as it is shown; `sent`: what the page knows already, `charted`: up to which change of each row."""
+
+    live: Live
+    style: Style = "relay"
+    growth: Growth = field(init=False)
+    blocks: Blocks = field(init=False)
+    sent: dict[str, Any] = field(default_factory=dict)
+    charted: int = -1
+
+    def __post_init__(self) -> None:
+        """Lift the program and find its blocks."""
+        self.growth = Growth(self.program, self.style)
+        self.blocks = Blocks(self.program)
+
+    @property
+    def program(self) -> Program:
+        """The program that runs."""
+        return self.live.program
+
+    def cast(self) -> dict[str, Any]:
+        """Give what does not change: the lines, the ladder, and what there is to switch, to light and to draw."""
+        return cast(self.program, [0] * len(self.program.dialect.stacks), rows=False) | {
+            "title": self.program.dialect.title.as_dict(),
+            "ladder": self.growth.data(),
+            "inputs": [self.named(one) for one in self.program.addresses("input")],
+            "lamps": [self.named(one) for one in (*self.program.addresses("output"), *self.written())],
+            "words": [self.named(one) for one in self.words()],
+            "rows": [[one.text, int(one.size > 1)] for one in self.charts()],
+            "ms": self.live.scan_ms,
+        }
+
+    def named(self, address: Address) -> dict[str, str]:
+        """Give an address with its name, where a symbol table has one."""
+        name = self.program.symbols.get(address.text, "")
+        return {"address": address.text} | ({"name": name} if name else {})
+
+    def written(self) -> tuple[Address, ...]:
+        """Give the memory bits that the program writes, timers and counters apart, which have faces."""
+        mine = {arg.text for line in self.program.lines if line.insn.then for arg in line.bits}
+        dialect = self.program.dialect
+        return tuple(one for one in self.program.addresses("memory") if one.text in mine and not dialect.block(one))
+
+    def words(self) -> tuple[Address, ...]:
+        """Give the words that the program names, timers and counters apart, which have faces."""
+        return tuple(one for one in self.program.words() if not one.field and self.program.dialect.block(one) is None)
+
+    def charts(self) -> tuple[Address, ...]:
+        """Give what the chart draws: inputs, written memory bits, outputs, words."""
+        return (*self.program.addresses("input"), *self.written(), *self.program.addresses("output"), *self.words())
+
+    def moment(self, scan: Scan[Column]) -> dict[str, Any]:
+        """Give everything that is seen of one scan's end."""
+        values: dict[int, list[str]] = {}
+        self.growth.start()
+        plant = scan.start()
+        for step, plant in scan.walk():  # noqa: B007 (the last one is wanted)
+            self.blocks.look(step)
+            self.growth.step(step)
+            values[step.number] = _beside(step)
+        lit = sorted(part for parts in self.growth.lit.values() for part in parts)
+        return {
+            "lines": [values.get(number, []) for number in range(len(self.program.lines))],
+            "lit": lit,
+            "bits": {one.text: repr(plant.bit(one)) for one in self.charts() if one.size == 1},
+            "words": {one.text: _number(plant.word(one)) for one in self.words()},
+            "faces": {face.address: face.as_dict() for face in self.blocks.faces(plant)},
+        }
+
+    def batch(self, scan: Scan[Column], number: int) -> dict[str, Any]:
+        """Give what has changed since the page was last told."""
+        now = self.moment(scan)
+        changed = {name: value for name, value in now.items() if self.sent.get(name) != value and name != "faces"}
+        known = self.sent.get("faces", {})
+        faces = {address: face for address, face in now["faces"].items() if known.get(address) != face}
+        self.sent = now
+        return (
+            changed
+            | ({"faces": faces} if faces else {})
+            | {
+                "scan": number,
+                "now": scan.start_ms,
+                "scans": self.live.scans,
+                "first": self.live.forgotten,
+                "end": self.live.now,
+            }
+        )
+
+    def forget(self) -> None:
+        """Tell the page everything anew the next time."""
+        self.sent, self.charted = {}, -1
+
+    def chart(self) -> dict[str, list[list[Any]]]:
+        """Give each row's new changes, [ms, value], since the last time."""
+        trace = self.live.recorder
+        since, self.charted = self.charted, self.live.scans - 1
+        found: dict[str, list[list[Any]]] = {}
+        for one in self.charts():
+            when, values = trace.changes.get(one.text, ((), ()))
+            new = []
+            for at in range(len(when) - 1, -1, -1):
+                if when[at] + self.live.forgotten <= since:
+                    break
+                new.append([trace.starts[when[at]], _number(values[at]) if one.size > 1 else repr(values[at])])
+            if new:
+                found[one.text] = new[::-1]
+        return found
+
+    def film(self, scan: Scan[Column]) -> str:
+        """Give one scan as a film, to be stepped through instruction by instruction."""
+        title = Text(
+            f"第{scan.number + 1 + self.live.forgotten}个扫描周期", f"scan {scan.number + 1 + self.live.forgotten}"
+        )
+        return film([scan], title).json
+
+
+def _beside(step: Step[Column]) -> list[str]:
+    """Give what stands beside a line: its operand's value, and the uppermost levels of the stack after it."""
+    operand = ""
+    if step.read:
+        operand = _number(step.read[0][1])
+    elif step.written:
+        operand = _number(step.written[0][1])
+    return [operand, *(repr(cell) for cell in step.after[0][:LEVELS])]
+
+
+def _number(value: Any) -> str:
+    if isinstance(value, Value):
+        return value.text
+    return repr(value)
