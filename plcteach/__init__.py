@@ -35,6 +35,7 @@ _WORDS = {
     "play": "widgets.verbs",
     "families": "widgets.verbs",
     "bench": "widgets.verbs",
+    "live": "widgets.verbs",
     "desk": "widgets.verbs",
     "language": "core.text",
 }

@@ -491,7 +491,7 @@ _ROWS = (
         "too-many-pending",
         "error",
         Text(
-            "{word}处已有{count}个{kind}在等待，{family}最多允许{most}个。能先连接几块吗？",
+            "执行到{word}，有{count}个{kind}在等待；{family}最多允许{most}个。能先处理掉几个吗？",
             "At {word}, {count} {kind} are waiting; {family} allows {most}. Can some be finished earlier?",
         ),
         Text(

@@ -161,8 +161,8 @@ FX = Dialect(
     },
     networks_by_title=False,  # a GX list has no headings: a new circuit begins at an LD once every value is used
     limits=(
-        Limit("L", 7, Text("个电路块（连同结果寄存器共8块）", "blocks beside the one in the result register")),
-        Limit("B", 11, Text("个分支点", "branch points")),
+        Limit("L", 7, Text("电路块（运算结果寄存器里的那一块不算，加上它一共8块）", "blocks beside the one in the result register (8 with that one)")),
+        Limit("B", 11, Text("分支点", "branch points")),
     ),
     recognised=frozenset(
         "DMUL DMULP DDIV DDIVP SMOV SMOVP CML CMLP DCML BMOV BMOVP FMOV FMOVP DFMOV XCH XCHP DXCH BCD BCDP DBCD BIN BINP DBIN "

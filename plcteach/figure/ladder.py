@@ -15,7 +15,7 @@ from plcteach.figure.bands import bands
 from plcteach.figure.legend import legend as legend_shapes
 from plcteach.figure.power import by_bits
 from plcteach.figure.rung import Frame, Look, Picture
-from plcteach.figure.scene import Scene, Stroke, Words, extent, extent_of
+from plcteach.figure.scene import Scene, Stroke, Words, broken, extent, extent_of
 from plcteach.figure.symbol import Style, cell_width
 from plcteach.ladder.formulas import formulas as formulas_of
 from plcteach.ladder.layout import Layout, layout
@@ -31,6 +31,7 @@ __all__ = ["MOST_COLUMNS", "Style", "frame_of", "ladder_scene", "rung_scene"]
 _LEFT, _TOP, _MARGIN = 44.0, 22.0, 18.0
 _CELL, _TITLE, _APART, _LINE = 88.0, 30.0, 16.0, 20.0
 _SAID = 400
+_NOTE = 520.0
 MOST_COLUMNS = 9
 """A rung of more columns goes on in a further band below, where a single wire leads on."""
 
@@ -70,7 +71,8 @@ def ladder_scene(
     bottom = top - _APART
     rails = [Stroke(((x, first), (x, bottom)), "rail") for x in (frame.left, frame.right)]
     words, foot = legend_shapes(rungs, style, frame.left, bottom + _MARGIN, frame.right) if legend else ([], bottom)
-    said = [Words(frame.left, foot + _LINE * at, one, "quiet", "start", 12) for at, one in enumerate(notes, 1)]
+    told = [row for note in notes for row in broken(note, max(_NOTE, frame.right - frame.left), 12)]
+    said = [Words(frame.left, foot + _LINE * at, one, "quiet", "start", 12) for at, one in enumerate(told, 1)]
     foot += _LINE * len(said)
     wide = max([frame.right, *(one.x + extent_of(one.text, 12) for one in (*words, *said) if isinstance(one, Words))])
     return Scene(round(wide + _MARGIN), round(foot + _MARGIN), (*rails, *shapes, *words, *said), _said(ladder, rungs))

@@ -137,6 +137,11 @@ class Watch:
                 found[one.text] = new[::-1]
         return found
 
+    def found(self) -> list[dict[str, str]]:
+        """Give what there is to say of the run so far: an x at an output, a loop that ran away, a fault of the plant."""
+        said = [one.text for one in self.live.recorder.found.values()]
+        return [one.as_dict() for one in said]
+
     def film(self, scan: Scan[Column]) -> str:
         """Give one scan as a film, to be stepped through instruction by instruction."""
         title = Text(

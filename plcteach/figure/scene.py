@@ -8,12 +8,13 @@ Every shape may name the `part` of the picture it belongs to, by which a page fi
 from __future__ import annotations
 
 import math
+import re
 import unicodedata
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Literal
+from itertools import zip_longest
+from typing import Literal
 
-if TYPE_CHECKING:
-    from plcteach.core.text import Text
+from plcteach.core.text import Text
 
 Point = tuple[float, float]
 
@@ -121,3 +122,19 @@ def extent(text: str, size: float = 13, *, code: bool = False) -> float:
 def extent_of(text: Text, size: float = 13, *, code: bool = False) -> float:
     """Give about how wide words are in the language in which they are wider."""
     return max(extent(text.zh, size, code=code), extent(text.en, size, code=code))
+
+
+def broken(text: Text, width: float, size: float = 13) -> list[Text]:
+    """Break words into rows that fit, each language by itself; the shorter one ends with empty rows."""
+    rows = [_broken(words, width, size) for words in (text.zh, text.en)]
+    return [Text(zh, en) for zh, en in zip_longest(*rows, fillvalue="")]
+
+
+def _broken(words: str, width: float, size: float) -> list[str]:
+    """Break at blanks and between full-width signs, but never before a closing sign."""
+    rows = [""]
+    for piece in re.findall(r"[^\u2e80-\uffef\s]+\s*|[\u2e80-\uffef][，。；：？！、）”]*\s*|\s+", words):
+        if rows[-1] and extent(rows[-1] + piece.rstrip(), size) > width:
+            rows.append("")
+        rows[-1] += piece
+    return [row.rstrip() for row in rows]

@@ -151,7 +151,7 @@ class Sheet:
             if sum(cells.count(limit.tag) for cells in self.stacks.values()) > limit.most:
                 self.refuse(
                     Text(
-                        f"同时等待的最多是{limit.most}{limit.title.zh}",
+                        f"同时等待的最多是{limit.most}个{limit.title.zh}",
                         f"at most {limit.most} {limit.title.en} may wait at once",
                     )
                 )

@@ -87,6 +87,11 @@ class Live:
         free = {one.text: 0 for one in self.program.addresses("input")}
         return free | dict(self.plant.sense() if self.plant else {}) | self.held
 
+    def forced(self) -> list[str]:
+        """Give the inputs that are set by hand against what the plant says."""
+        senses = self.plant.sense() if self.plant else {}
+        return [address for address in self.held if address in senses]
+
     def run(self, scans: int) -> None:
         """Run so many scans; the last is kept line by line, as it is looked at first."""
         for number in range(scans):

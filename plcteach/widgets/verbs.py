@@ -7,10 +7,13 @@ from typing import TYPE_CHECKING
 from plcteach.dialects import dialect as find_dialect
 from plcteach.dialects import families as all_families
 from plcteach.dialects import names
+from plcteach.figure.running import program_of
 from plcteach.figure.verbs import film_of
+from plcteach.machine.scan import SCAN_MS
 from plcteach.widgets.bench import Workbench
 from plcteach.widgets.desk import ExerciseDesk
 from plcteach.widgets.families import FamilyPlayer
+from plcteach.widgets.live import LiveBench
 from plcteach.widgets.player import StackPlayer
 
 if TYPE_CHECKING:
@@ -55,6 +58,13 @@ def families(
 
     beside = [find_dialect(one) for one in others] or all_families()
     return FamilyPlayer(together(ladder, dialect, beside, inputs), index=index, size=size)
+
+
+def live(
+    text: str | Program, dialect: str | Dialect | None = None, *, scan_ms: int = SCAN_MS, size: float = 1.0
+) -> LiveBench:
+    """Open a live bench: the program runs in virtual time, with buttons to press and lamps to watch."""
+    return LiveBench(program_of(text, dialect), scan_ms=scan_ms, size=size)
 
 
 def bench(

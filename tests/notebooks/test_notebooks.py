@@ -72,6 +72,16 @@ TERMS = {
     "06-drums-shift-registers-step-counters-and-queues.ipynb": (
         "鼓形控制器 步 控制位 移位寄存器 步进计数器 先进先出 后进先出 行程开关 电磁阀 原位 上升沿"
     ),
+    "07-blocks-and-joins.ipynb": "电路块 独立电路 电路块串联 电路块并联",
+    "08-branches-on-one-and-two-levels.ipynb": (
+        "分支 连续（纵接）输出 多重输出 逻辑入栈 逻辑读栈 逻辑出栈 装载堆栈"
+    ),
+    "09-parentheses.ipynb": "布尔累加器 指令表 取反",
+    "10-two-stacks-fusion-and-decomposition.ipynb": (
+        "数据栈 辅助栈 输入指令 输出指令 复合输入指令 复合输出指令 系统指令"
+    ),
+    "11-from-ladder-to-list-and-back.ipynb": "梯形图 常开触点 常闭触点 能流 逻辑入栈 装载堆栈",
+    "12-four-families-side-by-side.ipynb": "运算结果寄存器 布尔累加器 电路块并联 电路块串联",
 }
 NEVER = {
     "zh": re.compile(r"堆(?!栈)|(?<!入)(?<!出)(?<!读)(?<!进)接点|映象|非法|无效|断路触点|S0层|第0层"),
