@@ -38,6 +38,7 @@ class Watch:
     blocks: Blocks = field(init=False)
     sent: dict[str, Any] = field(default_factory=dict)
     charted: int = -1
+    drawn: dict[str, Any] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         """Lift the program and find its blocks."""
@@ -119,22 +120,26 @@ class Watch:
 
     def forget(self) -> None:
         """Tell the page everything anew the next time."""
-        self.sent, self.charted = {}, -1
+        self.sent, self.charted, self.drawn = {}, -1, {}
 
     def chart(self) -> dict[str, list[list[Any]]]:
-        """Give each row's new changes, [ms, value], since the last time."""
+        """Give each row's new changes, [ms, value], since the last time; a word over bits as it is now, where it is another."""
         trace = self.live.recorder
         since, self.charted = self.charted, self.live.scans - 1
         found: dict[str, list[list[Any]]] = {}
         for one in self.charts():
-            when, values = trace.changes.get(one.text, ((), ()))
             new = []
+            when, values = trace.changes.get(one.text, ((), ()))
             for at in range(len(when) - 1, -1, -1):
                 if when[at] + self.live.forgotten <= since:
                     break
-                new.append([trace.starts[when[at]], _number(values[at]) if one.size > 1 else repr(values[at])])
+                new.append([trace.starts[when[at]], repr(values[at])])
+            word = self.sent.get("words", {}).get(one.text)
+            if not new and one.size > 1 and self.drawn.get(one.text) != word:
+                new.append([self.live.now, word])
             if new:
                 found[one.text] = new[::-1]
+                self.drawn[one.text] = new[0][1]
         return found
 
     def found(self) -> list[dict[str, str]]:

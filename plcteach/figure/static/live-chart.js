@@ -9,7 +9,8 @@ const CHART_WORDS = {
   wider: { zh: "时间缩小", en: "Longer stretch of time" },
 };
 const SPANS = [500, 1000, 2000, 5000, 10000, 30000, 60000, 300000];
-const [NAMES, ROW, HIGH, HEAD, WIDE] = [74, 26, 15, 18, 640];
+const [NAMES, ROW, HIGH, HEAD] = [74, 26, 15, 18];
+const USUAL_WIDTH = 640;
 
 /** An empty chart. `onMoment(ms)` is called when the reader points at a moment and presses. */
 export function makeLiveChart(onMoment) {
@@ -19,9 +20,9 @@ export function makeLiveChart(onMoment) {
   const view = { node, svg, tools, rows: [], span: 3, lang: "zh", shown: null, onMoment };
   const momentOf = (event) => {
     const box = svg.getBoundingClientRect();
-    const x = ((event.clientX - box.left) / box.width) * WIDE;
-    const { start, stop } = view.shown ?? { start: 0, stop: 0 };
-    return x < NAMES ? null : start + ((x - NAMES) / (WIDE - NAMES)) * (stop - start);
+    const { start, stop, width } = view.shown ?? { start: 0, stop: 0, width: 1 };
+    const x = event.clientX - box.left;
+    return x < NAMES ? null : start + ((x - NAMES) / width) * (stop - start);
   };
   svg.addEventListener("pointerdown", (event) => {
     const ms = momentOf(event);
@@ -37,9 +38,7 @@ export function buildLiveChart(view, rows, lang) {
     if (view.last) drawLiveChart(view, view.last);
   };
   Object.assign(view, { rows, lang });
-  const height = HEAD + rows.length * ROW + 4;
-  view.svg.setAttribute("viewBox", `0 0 ${WIDE} ${height}`);
-  view.svg.style.aspectRatio = `${WIDE} / ${height}`;
+  view.svg.setAttribute("height", HEAD + rows.length * ROW + 4);
   view.tools.replaceChildren(
     button({ icon: "minus", label: say(CHART_WORDS.wider, lang), onclick: zoom(1) }),
     button({ icon: "plus", label: say(CHART_WORDS.closer, lang), onclick: zoom(-1) }),
@@ -51,7 +50,8 @@ export function drawLiveChart(view, { tracks, now, end }) {
   view.last = { tracks, now, end };
   const span = SPANS[view.span];
   const stop = Math.max(span, now === end ? end : Math.min(end, now + span / 2));
-  const shown = { start: stop - span, stop, x: NAMES, width: WIDE - NAMES };
+  const width = (view.svg.clientWidth || USUAL_WIDTH) - NAMES - 2;
+  const shown = { start: stop - span, stop, until: end, x: NAMES, width };
   view.shown = shown;
   const place = (ms) => NAMES + ((ms - shown.start) / span) * shown.width;
   const parts = [...gridLines(shown, view.rows.length, place)];
@@ -80,7 +80,7 @@ function* chartRow(changes, address, word, top, shown) {
     return;
   }
   const place = (ms) => shown.x + ((ms - shown.start) / (shown.stop - shown.start)) * shown.width;
-  for (const [from, to, value] of stretches(changes, shown.start, shown.stop)) {
+  for (const [from, to, value] of stretches(changes, shown.start, Math.min(shown.stop, shown.until))) {
     const [left, right] = [place(from), place(to)];
     yield svgEl("path", { className: "plc-live-word", d: `M${left},${base - HIGH}H${right}V${base + 2}H${left}Z` });
     if (right - left > 9 * value.length) yield svgEl("text", { className: "plc-live-number", x: (left + right) / 2, y: base - 2, "text-anchor": "middle" }, value);

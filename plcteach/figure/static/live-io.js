@@ -66,7 +66,7 @@ function listenToPush(view, address, part) {
 }
 
 /** Holds an input or lets it go; a latched one stays on. */
-export function holdInput(view, address, on) {
+function holdInput(view, address, on) {
   const part = view.parts.get(address);
   if (!part || view.pressed.has(address) === on) return;
   if (on) view.pressed.add(address);
@@ -83,8 +83,24 @@ function setLatch(view, address, part, on) {
 }
 
 /** The address of the input that a number key holds. */
-export function inputOfKey(view, key) {
+function inputOfKey(view, key) {
   return /^[1-9]$/u.test(key) ? [...view.parts.keys()][Number(key) - 1] : undefined;
+}
+
+/** The number keys hold the first nine inputs, but not while the focus is in `stage`, where the player has them. Returns the undo. */
+export function listenToNumbers(view, figure, stage) {
+  const hold = (on) => (event) => {
+    if (event.repeat || event.target.closest("input, select, textarea") || stage.contains(event.target)) return;
+    const address = inputOfKey(view, event.key);
+    if (address) holdInput(view, address, on);
+  };
+  const [down, up] = [hold(true), hold(false)];
+  figure.addEventListener("keydown", down);
+  figure.addEventListener("keyup", up);
+  return () => {
+    figure.removeEventListener("keydown", down);
+    figure.removeEventListener("keyup", up);
+  };
 }
 
 /** Shows the values that the program sees, and which are forced. */

@@ -22,7 +22,7 @@ export function buildStatusList(view, cast, lang, levels) {
   view.node.setAttribute("aria-label", say(STATUS_WORDS.list, lang));
   const heads = ["", "", say(STATUS_WORDS.operand, lang)];
   for (let level = 1; level <= levels; level += 1) heads.push(say(STATUS_WORDS.level, lang).replace("{}", level));
-  const head = h("thead", {}, h("tr", {}, heads.map((words) => h("th", { scope: "col" }, words))));
+  const head = h("thead", {}, h("tr", {}, heads.map((words) => (words ? h("th", { scope: "col" }, words) : h("td", {})))));
   view.table.replaceChildren(head, ...cast.networks.map((network, at) => networkBody(view, cast, network, cast.networks[at + 1]?.first)));
 }
 

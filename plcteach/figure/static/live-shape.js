@@ -46,12 +46,15 @@ export function stretches(changes, start, stop) {
   return found;
 }
 
-/** The line of a bit in a window as an SVG path: high for 1, low for 0, in the middle for what nobody knows. */
-export function bitPath(changes, { start, stop, x, width, top, height }) {
+/**
+ * The line of a bit in a window as an SVG path: high for 1, low for 0, in the middle for what nobody knows. What has not run yet
+ * (from `until` on) is left empty.
+ */
+export function bitPath(changes, { start, stop, until = stop, x, width, top, height }) {
   const place = (ms) => round2(x + ((ms - start) / (stop - start)) * width);
   const level = { 1: top, 0: top + height };
   let path = "";
-  for (const [from, to, value] of stretches(changes, start, stop)) {
+  for (const [from, to, value] of stretches(changes, start, Math.min(stop, until))) {
     const y = round2(level[value] ?? top + height / 2);
     path += `${path ? "L" : "M"}${place(from)},${y}L${place(to)},${y}`;
   }

@@ -1,36 +1,16 @@
 // Knows the live bench: it asks the kernel for the next scans, sends what was pressed, and shows the answer; no request, no run.
 
-import { button, guardKeys, h, icon, recall, remember, say } from "./ui.js";
+import { guardKeys, h, icon, recall, remember, say } from "./ui.js";
 import { buildLadder, lightLadder, makeLadderView } from "./ladder-view.js";
 import { mountBlocks } from "./block-view.js";
 import { mountPlayer } from "./player.js";
 import { buildLiveChart, drawLiveChart, makeLiveChart } from "./live-chart.js";
-import { buildInputs, buildShows, holdInput, inputOfKey, makeInputs, makeShows, showInputs, showShows } from "./live-io.js";
+import { buildInputs, buildShows, listenToNumbers, makeInputs, makeShows, showInputs, showShows } from "./live-io.js";
 import { buildStatusList, makeStatusList, showStatusList } from "./live-list.js";
 import { drawPlant, makePlantView, showPlant } from "./plant-view.js";
-import { MOST_MS, PACES, freshNews, takeBatch, timeWords, trimTracks } from "./live-shape.js";
+import { levelChoice, liveWord, showFrozen, showRunning, writeBar } from "./live-bar.js";
+import { MOST_MS, freshNews, takeBatch, timeWords, trimTracks } from "./live-shape.js";
 
-const LIVE_WORDS = {
-  bench: { zh: "实时工作台", en: "Live bench" },
-  run: { zh: "运行", en: "Run" },
-  pause: { zh: "暂停", en: "Pause" },
-  scan: { zh: "扫描一次", en: "One scan" },
-  freeze: { zh: "逐条执行", en: "Instruction by instruction" },
-  thaw: { zh: "放开，继续运行", en: "Let go" },
-  restart: { zh: "冷启动", en: "Cold start" },
-  warm: { zh: "热启动", en: "Warm start" },
-  save: { zh: "保存时序", en: "Save the timeline" },
-  pace: { zh: "快慢", en: "Pace" },
-  past: { zh: "回看", en: "Look back" },
-  time: { zh: "{}，第 {n} 次扫描", en: "{}, scan {n}" },
-  levels: { zh: "堆栈列数", en: "Stack columns" },
-  ladder: { zh: "梯形图", en: "Ladder" },
-  list: { zh: "指令表", en: "List" },
-  blocks: { zh: "功能块", en: "Blocks" },
-  chart: { zh: "时序图", en: "Chart" },
-  plant: { zh: "设备", en: "Plant" },
-  late: { zh: "内核还没有回答……", en: "The kernel has not answered yet …" },
-};
 const FOLDS = ["plant", "ladder", "list", "blocks", "chart"];
 const HISTORY_MS = 600000;
 const LATE_MS = 3000;
@@ -46,7 +26,7 @@ export function mountLive(root, { cast, send, lang, size = 1, compact = false })
   root.classList.add("plc-root");
   root.append(bench.figure);
   const unguard = guardKeys(bench.figure);
-  const unlisten = listenToNumbers(bench);
+  const unlisten = listenToNumbers(bench.inputs, bench.figure, bench.stage);
   bench.figure.classList.toggle("plc-compact", compact);
   writeBench(bench);
   ask(bench, { type: "look" });
@@ -96,8 +76,8 @@ function makeBench(cast, send, lang) {
 function writeBench(bench) {
   const { cast, lang, figure } = bench;
   figure.lang = lang === "zh" ? "zh-CN" : "en";
-  figure.setAttribute("aria-label", say(LIVE_WORDS.bench, lang));
-  writeBar(bench);
+  figure.setAttribute("aria-label", liveWord("bench", lang));
+  writeBar(bench, actsOfBench(bench));
   buildInputs(bench.inputs, cast.inputs, lang);
   buildShows(bench.lamps, cast.lamps, lang);
   buildShows(bench.words, cast.words, lang);
@@ -115,7 +95,7 @@ function writePanels(bench) {
   bench.panels = {};
   const panels = FOLDS.filter((name) => inside[name]).map((name) => {
     const panel = h("details", { className: `plc-live-panel plc-live-${name}`, open: bench.folds[name] !== false },
-      h("summary", {}, say(LIVE_WORDS[name], lang)), inside[name]);
+      h("summary", {}, liveWord(name, lang)), inside[name]);
     panel.addEventListener("toggle", () => {
       bench.folds[name] = panel.open;
       remember("live-folds", bench.folds);
@@ -125,54 +105,23 @@ function writePanels(bench) {
     return panel;
   });
   bench.body.replaceChildren(...panels);
-  if (bench.panels.list) bench.panels.list.querySelector("summary").append(levelChoice(bench));
-}
-
-/** How many levels of the stack stand beside the list. */
-function levelChoice(bench) {
-  const label = say(LIVE_WORDS.levels, bench.lang);
-  const options = [0, 1, 2, 3, 4].map((count) => h("option", { value: count, selected: count === bench.levels }, String(count)));
-  const choose = (event) => {
-    bench.levels = Number(event.target.value);
-    remember("live-levels", bench.levels);
+  if (bench.panels.list) bench.panels.list.querySelector("summary").after(levelChoice(bench, () => {
     buildStatusList(bench.list, bench.cast, bench.lang, bench.levels);
     redraw(bench);
-  };
-  return h("label", { className: "plc-live-levels" }, ` ${label} `, h("select", { "aria-label": label, onchange: choose }, options));
+  }));
 }
 
-/** The bar: run, one scan, one instruction, pace, starts, the past, the time. */
-function writeBar(bench) {
-  const { lang } = bench;
-  const act = (name, sign, onclick, extra = {}) => button({ icon: sign, label: say(LIVE_WORDS[name], lang), onclick, className: `plc-live-${name}`, ...extra });
-  const group = (...parts) => h("div", { className: "plc-steps", role: "group" }, parts);
-  bench.parts = {
-    run: act("run", "play", () => (bench.running ? halt(bench) : start(bench))),
-    freeze: act("freeze", "next", () => freeze(bench), { text: say(LIVE_WORDS.freeze, lang) }),
-    past: h("input", { type: "range", className: "plc-slider", min: 0, max: 0, step: 1, "aria-label": say(LIVE_WORDS.past, lang), oninput: (event) => lookBack(bench, Number(event.target.value)) }),
-    time: h("output", { className: "plc-count" }),
+/** What each control does. */
+function actsOfBench(bench) {
+  return {
+    run: () => (bench.running ? halt(bench) : start(bench)),
+    scan: () => oneScan(bench),
+    freeze: () => freeze(bench),
+    past: (scan) => lookBack(bench, scan),
+    restart: () => begin(bench, "cold"),
+    warm: () => begin(bench, "warm"),
+    save: () => ask(bench, { type: "timeline" }),
   };
-  const paces = PACES.map((pace) => h("option", { value: pace, selected: pace === bench.pace }, `${pace}×`));
-  const choose = (event) => (Object.assign(bench, { pace: Number(event.target.value) }), remember("live-pace", bench.pace));
-  const pace = h("select", { className: "plc-speed", "aria-label": say(LIVE_WORDS.pace, lang), title: say(LIVE_WORDS.pace, lang), onchange: choose }, paces);
-  bench.bar.replaceChildren(
-    group(bench.parts.run, act("scan", "last", () => oneScan(bench), { text: say(LIVE_WORDS.scan, lang) }), bench.parts.freeze),
-    h("div", { className: "plc-seek" }, bench.parts.past, bench.parts.time),
-    h("div", { className: "plc-view", role: "group" }, pace,
-      act("restart", "restart", () => begin(bench, "cold"), { text: say(LIVE_WORDS.restart, lang) }), act("warm", "restart", () => begin(bench, "warm"), { text: say(LIVE_WORDS.warm, lang) }),
-      act("save", "save", () => ask(bench, { type: "timeline" }))),
-  );
-  showRunning(bench);
-}
-
-/** The run button becomes a pause button while it runs. */
-function showRunning(bench) {
-  const { run } = bench.parts;
-  const label = say(LIVE_WORDS[bench.running ? "pause" : "run"], bench.lang);
-  run.replaceChildren(icon(bench.running ? "pause" : "play"));
-  run.setAttribute("aria-label", label);
-  run.title = label;
-  bench.figure.classList.toggle("plc-live-runs", bench.running);
 }
 
 // the talk with the kernel
@@ -182,7 +131,7 @@ function ask(bench, message) {
   bench.asked += 1;
   bench.waiting = true;
   clearTimeout(bench.patience);
-  bench.patience = setTimeout(() => (bench.note.textContent = say(LIVE_WORDS.late, bench.lang)), LATE_MS);
+  bench.patience = setTimeout(() => (bench.note.textContent = liveWord("late", bench.lang)), LATE_MS);
   const events = bench.queue.splice(0);
   try {
     bench.send({ ...message, id: bench.asked, ...(events.length ? { events } : {}) });
@@ -292,9 +241,10 @@ function showFilmOf(bench, film) {
   bench.waiting = false;
   clearTimeout(bench.patience);
   bench.stage.hidden = false;
+  bench.figure.classList.add("plc-live-frozen");
   if (bench.player) bench.player.load(film);
   else bench.player = mountPlayer(bench.stage, { film, lang: bench.lang, index: 0, compact: true });
-  bench.parts.freeze.replaceChildren(icon("play"), say(LIVE_WORDS.thaw, bench.lang));
+  showFrozen(bench, true);
   bench.stage.querySelector(".plc-player")?.focus({ preventScroll: true });
 }
 
@@ -304,7 +254,8 @@ function thaw(bench) {
   bench.player.destroy();
   bench.player = null;
   bench.stage.hidden = true;
-  bench.parts.freeze.replaceChildren(icon("next"), say(LIVE_WORDS.freeze, bench.lang));
+  bench.figure.classList.remove("plc-live-frozen");
+  showFrozen(bench, false);
 }
 
 /** Offers the inputs of the run as a file. */
@@ -323,7 +274,7 @@ function redraw(bench) {
   parts.past.min = news.first;
   parts.past.max = Math.max(news.first, news.scans - 1);
   parts.past.value = bench.at ?? news.scans - 1;
-  const words = say(LIVE_WORDS.time, lang).replace("{}", timeWords(news.now)).replace("{n}", news.scan + 1);
+  const words = liveWord("time", lang).replace("{}", timeWords(news.now)).replace("{n}", news.scan + 1);
   parts.time.textContent = news.scans ? words : "";
   parts.past.setAttribute("aria-valuetext", words);
   showInputs(bench.inputs, news.bits, news.forced);
@@ -342,20 +293,4 @@ function showFaults({ news, lang, faults }) {
   const said = news.found.map((one) => say(one, lang));
   if (faults.textContent === said.join("")) return;
   faults.replaceChildren(...said.map((words) => h("p", {}, icon("flag"), " ", words)));
-}
-
-/** The number keys hold the first nine inputs. */
-function listenToNumbers(bench) {
-  const hold = (on) => (event) => {
-    if (event.repeat || event.target.closest("input, select, textarea") || bench.stage.contains(event.target)) return;
-    const address = inputOfKey(bench.inputs, event.key);
-    if (address) holdInput(bench.inputs, address, on);
-  };
-  const [down, up] = [hold(true), hold(false)];
-  bench.figure.addEventListener("keydown", down);
-  bench.figure.addEventListener("keyup", up);
-  return () => {
-    bench.figure.removeEventListener("keydown", down);
-    bench.figure.removeEventListener("keyup", up);
-  };
 }

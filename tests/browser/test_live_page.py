@@ -1,0 +1,195 @@
+"""The live bench under a real pointer and real keys: run, press, freeze, step, let go, look back."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import pytest
+from labpage import axe
+from livepage import served
+
+from plcteach.stl import read
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from playwright.sync_api import Browser, Page
+
+    from plcteach.widgets.live import Session
+
+SEAL_IN = """Network 1 // start and stop
+LD I0.0
+O Q0.0
+AN I0.1
+= Q0.0
+Network 2 // flash
+LD Q0.0
+AN T38
+TON T37, 5
+Network 3
+LD T37
+TON T38, 5
+= Q0.1
+Network 4 // count
+LD Q0.1
+EU
+INCW VW0
+"""
+
+
+@pytest.fixture
+def bench(chromium: Browser) -> Iterator[tuple[Page, Session]]:
+    with served(read(SEAL_IN, "s7-200")) as (address, session):
+        page = opened(chromium, address)
+        yield page, session
+        page.context.close()
+
+
+def opened(chromium: Browser, address: str, **options: Any) -> Page:
+    page = chromium.new_context(**{"viewport": {"width": 1300, "height": 1000}, **options}).new_page()
+    problems: list[str] = []
+    page.on("pageerror", lambda error: problems.append(str(error)))
+    page.goto(address)
+    page.wait_for_selector(".plc-status-value[data-value]")
+    assert problems == []
+    return page
+
+
+def lamp(page: Page, address: str) -> str:
+    return page.locator(f".plc-lamp:has(.plc-address:text-is('{address}')) .plc-lamp-bulb").inner_text()
+
+
+def until(page: Page, address: str, value: str) -> None:
+    page.wait_for_function(
+        """([address, value]) => [...document.querySelectorAll('.plc-lamp')].some((one) =>
+          one.querySelector('.plc-address').textContent === address && one.querySelector('.plc-lamp-bulb').textContent === value)""",
+        arg=[address, value],
+    )
+
+
+def push(page: Page, number: int) -> Any:
+    return page.locator(".plc-live-push").nth(number)
+
+
+def hold(page: Page, number: int, ms: int = 150) -> None:
+    box = push(page, number).bounding_box()
+    assert box
+    page.mouse.move(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
+    page.mouse.down()
+    page.wait_for_timeout(ms)
+    page.mouse.up()
+
+
+def test_a_button_that_is_held_for_a_moment_starts_what_seals_itself_in(bench: tuple[Page, Session]) -> None:
+    page, session = bench
+    page.locator(".plc-live-run").click()
+    hold(page, 0)
+    until(page, "Q0.0", "1")
+    page.wait_for_timeout(1_300)
+    assert push(page, 0).get_attribute("data-value") == "0", "the button is up again"
+    assert lamp(page, "Q0.0") == "1"
+    assert session.live.trace()["Q0.1"].count("01") >= 1
+    hold(page, 1)
+    until(page, "Q0.0", "0")
+    trace = session.live.trace()
+    stopped = trace["I0.1"].index("1")
+    assert trace["Q0.0"][stopped] == trace["Q0.1"][stopped] == "0", "all off in the scan that sees the button"
+
+
+def test_no_request_no_run_and_the_pause_button_means_it(bench: tuple[Page, Session]) -> None:
+    page, session = bench
+    page.wait_for_timeout(300)
+    assert session.live.scans == 1
+    page.locator(".plc-live-run").click()
+    page.wait_for_timeout(500)
+    page.locator(".plc-live-run").click()
+    page.wait_for_timeout(200)
+    ran = session.live.scans
+    assert ran > 10
+    page.wait_for_timeout(400)
+    assert session.live.scans == ran
+    page.locator(".plc-live-scan").click()
+    page.wait_for_function("(scans) => window.answers.at(-1)[2] === scans", arg=ran + 1)
+
+
+def test_a_frozen_scan_is_stepped_through_and_let_go_again(bench: tuple[Page, Session]) -> None:
+    page, session = bench
+    page.locator(".plc-live-run").click()
+    page.locator(".plc-live-latch").first.click()
+    until(page, "Q0.0", "1")
+    page.locator(".plc-live-freeze").click()
+    page.wait_for_selector(".plc-live-stage .plc-player")
+    frozen = session.live.scans
+    for _ in range(5):
+        page.keyboard.press("ArrowRight")
+    assert page.locator(".plc-live-stage [aria-current=step]").get_attribute("data-line") == "4"
+    assert page.locator(".plc-live-stage .plc-cell.plc-one").count() >= 1
+    assert session.live.scans == frozen
+    page.locator(".plc-live-freeze").click()
+    page.wait_for_timeout(400)
+    assert session.live.scans > frozen
+    assert not page.locator(".plc-live-stage").is_visible()
+
+
+def test_the_past_can_be_looked_at_again_up_to_the_moment_of_the_press(bench: tuple[Page, Session]) -> None:
+    page, session = bench
+    page.locator(".plc-live-run").click()
+    page.wait_for_timeout(400)
+    hold(page, 0, 120)
+    until(page, "Q0.0", "1")
+    page.wait_for_timeout(300)
+    page.locator(".plc-live-run").click()
+    page.wait_for_timeout(200)
+    pressed = session.live.trace()["I0.0"].index("1")
+    slider = page.locator(".plc-seek input")
+    for scan, value in ((pressed - 1, "0"), (pressed, "1")):
+        slider.evaluate(
+            "(one, scan) => { one.value = scan; one.dispatchEvent(new Event('input', {bubbles: true})); }", scan
+        )
+        page.wait_for_function(
+            "(words) => document.querySelector('.plc-count').textContent.includes(words)", arg=f"scan {scan + 1}"
+        )
+        assert lamp(page, "Q0.0") == value
+        assert push(page, 0).locator(".plc-live-value").inner_text() == value
+    assert page.locator("tr[data-line='3'] .plc-status-value").first.inner_text() == "1"
+    assert "I0.0 1" in str(page.locator("svg.plc-live-chart").get_attribute("aria-label"))
+
+
+def test_everything_can_be_done_with_the_keys(bench: tuple[Page, Session]) -> None:
+    page, session = bench
+    page.locator(".plc-live-run").focus()
+    page.keyboard.press("Space")
+    page.keyboard.down("1")
+    until(page, "Q0.0", "1")
+    page.keyboard.up("1")
+    page.wait_for_timeout(200)
+    assert push(page, 0).get_attribute("data-value") == "0"
+    push(page, 1).focus()
+    page.keyboard.down("Space")
+    until(page, "Q0.0", "0")
+    page.keyboard.up("Space")
+    assert session.live.held["I0.1"] in {0, 1}
+
+
+def test_panels_fold_away_and_more_levels_can_be_shown(bench: tuple[Page, Session]) -> None:
+    page, _ = bench
+    assert page.locator("tr[data-line='0'] .plc-status-value").count() == 2
+    page.locator(".plc-live-levels select").select_option("4")
+    assert page.locator("tr[data-line='0'] .plc-status-value").count() == 5
+    page.locator(".plc-live-panel.plc-live-ladder > summary").click()
+    assert not page.locator(".plc-rung").first.is_visible()
+
+
+@pytest.mark.parametrize("theme", ["light", "dark"])
+@pytest.mark.parametrize("width", [360, 1920])
+def test_the_bench_is_accessible_and_never_wider_than_the_window(chromium: Browser, width: int, theme: str) -> None:
+    with served(read(SEAL_IN, "s7-200"), lang="zh") as (address, _):
+        page = opened(chromium, address, viewport={"width": width, "height": 900}, color_scheme=theme)
+        page.locator(".plc-live-run").click()
+        page.locator(".plc-live-latch").first.click()
+        until(page, "Q0.0", "1")
+        page.locator(".plc-live-run").click()
+        page.wait_for_timeout(200)
+        assert axe(page, ".plc-live") == []
+        assert page.evaluate("document.documentElement.scrollWidth") <= width
+        page.context.close()
