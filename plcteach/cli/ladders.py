@@ -17,7 +17,10 @@ if TYPE_CHECKING:
 
     from plcteach.core.diagnostic import Diagnostic
     from plcteach.core.ladder import Ladder
-    from plcteach.ladder.translate import Translation
+    from plcteach.ladder.translation import Translation
+
+MOST_DRAWN = 200
+"""More rungs than this make a picture of dots that no viewer opens."""
 
 
 def ladder_verb(options: argparse.Namespace) -> int:
@@ -58,6 +61,9 @@ def _write(ladder: Ladder, options: argparse.Namespace) -> None:
         from plcteach.ladder.plcopen_write import write_plcopen
 
         options.output.write_text(write_plcopen(ladder), encoding="utf-8")
+    elif ending in {".png", ".pdf"} and len(ladder.rungs) > MOST_DRAWN:
+        msg = f"{options.output}: {len(ladder.rungs)} rungs are too many for one {ending}; write .svg, or a part of the program"
+        raise CallError(msg)
     else:
         scene = ladder_scene(ladder, style=options.style, legend=options.legend, formulas=options.formulas)
         drawn(scene, options)
@@ -81,6 +87,7 @@ def lower_verb(options: argparse.Namespace) -> int:
         print_json({"program": text, "lines": rows})
     elif options.reasons:
         wide = max(len(one.text) for one in lines)
+        print("".join(f"{row}\n" for row in (*given.configuration, *given.ladder.configuration)), end="")
         for one in lines:
             print(f"{one.text:{wide}}  // {one.reason.in_(language())}" if one.reason.en else one.text)
     else:

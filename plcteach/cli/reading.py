@@ -38,7 +38,10 @@ def _content(name: str) -> bytes:
     if name == "-":
         return sys.stdin.buffer.read()
     path = Path(name)
-    if not path.exists() or path.is_dir():
+    if path.is_dir():
+        msg = f"{name} is a folder; name one file in it"
+        raise CallError(msg)
+    if not path.exists():
         msg = f"there is no file {name}"
         raise CallError(msg)
     return path.read_bytes()

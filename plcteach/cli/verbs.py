@@ -106,6 +106,7 @@ def check_verb(options: argparse.Namespace) -> int:
         print_json(verdict_json(verdict))
     else:
         print_findings(verdict.diagnostics, student)
+        say_empty(student)
         print_verdict(verdict)
     return RIGHT if verdict.status == "equal" else WRONG
 

@@ -1938,8 +1938,8 @@ _ROWS = (
         "names-without-address",
         "info",
         Text(
-            "这些变量没有地址，照名字留下：{names}。要在PLC上运行，还要给它们地址。",
-            "These variables have no address and stay names: {names}. To run on a PLC they need one.",
+            "这些变量没有地址：{names}。写成某个系列的程序时，它们各占一个空闲的存储器位。给它们定个地址好吗？",
+            "These variables have no address: {names}. Where a family's list is written, each takes a free memory bit. Which address should it have?",
         ),
         Text(
             "PLCopen的变量可以先不定地址；指令表里的触点和线圈都要有。",

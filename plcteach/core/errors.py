@@ -43,6 +43,11 @@ class NotRepresentableError(PlcTeachError):
         self.reason = reason
         super().__init__(reason.en)
 
+    def __str__(self) -> str:
+        from plcteach.core.text import language  # noqa: PLC0415 (the words know the errors)
+
+        return self.reason.in_(language())
+
 
 def nearest(name: str, known: Iterable[str], most: int = 2) -> list[str]:
     """Give the known names most like `name`, the best first."""

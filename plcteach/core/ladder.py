@@ -238,10 +238,11 @@ class Rung:
 
 @dataclass(frozen=True, slots=True)
 class Ladder:
-    """Rungs from top to bottom, with a title."""
+    """Rungs from top to bottom, with a title; configuration: the lines that set up its blocks, before the first rung."""
 
     rungs: tuple[Rung, ...]
     title: str = ""
+    configuration: tuple[str, ...] = ()
 
     def __repr__(self) -> str:
         return f"Ladder({len(self.rungs)} rungs{f', {self.title!r}' if self.title else ''})"

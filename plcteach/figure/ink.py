@@ -19,6 +19,7 @@ COLOURS: dict[str, tuple[str, str]] = {
     "accent": ("#1565c0", "#82bdff"),
     "lost": ("#a63a2b", "#ffa597"),
     "good": ("#276c2c", "#7ed08a"),
+    "warn": ("#8a5200", "#f0c36a"),
     "line": ("#8a939d", "#76818c"),
     "faint": ("#c9d0d7", "#434c56"),
 }
@@ -46,6 +47,7 @@ INKS: dict[str, Ink] = {
     "accent": Ink(stroke="accent", width=1.4),
     "lost": Ink(stroke="lost", width=1.2),
     "good": Ink(stroke="good", width=1.4),
+    "warn": Ink(stroke="warn", width=1.4),
     "line": Ink(stroke="line"),
     "faint": Ink(stroke="faint"),
     "dashed": Ink(stroke="line", dash=(4, 3)),

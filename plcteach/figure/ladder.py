@@ -61,6 +61,9 @@ def ladder_scene(
     plain = Look(style, by_bits(powered) if powered is not None else None)
     shapes: list[Shape] = [Words(frame.left, _TOP, same(title), "text", "start", 15, bold=True)] if title else []
     first = top = _TOP + (_TITLE if title else 0)
+    setup = ladder.configuration if isinstance(ladder, Ladder) else ()
+    shapes += _rows(setup, frame.left, top)
+    first = top = top + _LINE * len(setup)
     for number, (rung, plan) in enumerate(zip(rungs, plans, strict=True)):
         look = replace(looks.get(number, plain), style=style) if looks else plain
         picture = Picture(plan, frame, look, top + (_TITLE if rung.title else 0), number)

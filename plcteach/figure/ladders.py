@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, get_args
 
 from plcteach.core.diagnostic import refuse
-from plcteach.core.errors import NotRepresentableError, PlcTeachError
+from plcteach.core.errors import NotRepresentableError, PlcTeachError, UnknownNameError
 from plcteach.core.ladder import Ladder
 from plcteach.core.text import Text
 from plcteach.figure.growth import Growth
@@ -14,6 +14,7 @@ from plcteach.figure.ladder import ladder_scene
 from plcteach.figure.rung import Look
 from plcteach.figure.running import program_of
 from plcteach.figure.svg import Figure
+from plcteach.figure.symbol import Style
 from plcteach.ladder.picture import read_drawing
 from plcteach.ladder.telling import is_drawing
 from plcteach.machine.scan import run
@@ -23,7 +24,6 @@ if TYPE_CHECKING:
 
     from plcteach.core.program import Program
     from plcteach.core.spec import Dialect
-    from plcteach.figure.symbol import Style
 
 _WHERE = Text("第{row}行：{text}", "row {row}: {text}")
 
@@ -43,6 +43,7 @@ def draw(
     """
     ladder, found = read_drawing(drawing)
     refuse(found)
+    _known_style(style)
     return Figure(ladder_scene(ladder, style=style, powered=powered, legend=legend, formulas=formulas))
 
 
@@ -61,6 +62,7 @@ def lift(
     inputs: run one scan with them and light what carries power at its end.  line: draw it as far as this line of the list,
     counted from 1, has built it, with brackets around the two blocks of a join.
     """
+    _known_style(style)
     program = program_of(text, dialect)
     growth = Growth(program, style)
     notes = tuple(_WHERE.format(row=one.span.row, text=one.text) for one in growth.lifted.diagnostics)
@@ -82,12 +84,18 @@ def lift(
     )
 
 
+def _known_style(style: str) -> None:
+    if style not in get_args(Style):
+        kind = "style"
+        raise UnknownNameError(kind, str(style), get_args(Style))
+
+
 def _named(ladder: Ladder, growth: Growth) -> Ladder:
     """Take the rungs as the list makes them, under the titles of the drawing."""
     rungs = tuple(
         replace(one.rung, title=drawn.title) for one, drawn in zip(growth.lifted.rungs, ladder.rungs, strict=True)
     )
-    return Ladder(rungs, ladder.title)
+    return Ladder(rungs, ladder.title, ladder.configuration)
 
 
 def _looks(growth: Growth, line: int) -> dict[int, Look]:

@@ -130,7 +130,8 @@ class Picture:
         if boundary == self.plan.columns:
             return self.frame.right
         aside += _INSET if opens and boundary == band.start > 0 else 0
-        return self.frame.left + self.frame.cell * (boundary - band.start) + (aside if opens else -aside)
+        x = self.frame.left + self.frame.cell * (boundary - band.start) + (aside if opens else -aside)
+        return x if opens or boundary < band.stop else min(x, self.frame.right - _INSET)
 
     def band_of(self, column: int) -> int:
         """Give the band in which a column stands."""

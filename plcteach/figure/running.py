@@ -13,6 +13,7 @@ from plcteach.dialects import names
 from plcteach.figure.stack import illustrate as stack_scene
 from plcteach.figure.svg import Figure
 from plcteach.ladder.either import read_either
+from plcteach.ladder.translation import Translation
 from plcteach.machine.rows import Rows
 from plcteach.machine.scan import SCAN_MS, Memory, Trace, sweep
 from plcteach.machine.scan import run as run_program
@@ -27,11 +28,13 @@ if TYPE_CHECKING:
 MOST_TABLE_INPUTS = 6
 
 
-def program_of(text: str | Program, dialect: str | Dialect | None = None) -> Program:
+def program_of(text: str | Program | Translation, dialect: str | Dialect | None = None) -> Program:
     """Read a list, or lower a ladder drawing; PlcTeachError with the first finding where it cannot be read."""
+    if isinstance(text, Translation):
+        return text.program
     if not isinstance(text, str):
         return text
-    program = read_either(text, dialect or names()[0])
+    program = read_either(text, dialect or getattr(text, "dialect", None) or names()[0])
     refuse(program.diagnostics)
     return program
 

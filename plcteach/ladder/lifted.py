@@ -60,5 +60,5 @@ class Lifted:
 
     @cached_property
     def ladder(self) -> Ladder:
-        """All rungs, from top to bottom."""
-        return Ladder(tuple(one.rung for one in self.rungs))
+        """All rungs, from top to bottom, and the lines that set up their blocks."""
+        return Ladder(tuple(one.rung for one in self.rungs), configuration=self.program.configuration)

@@ -34,9 +34,9 @@ def lower(ladder: Ladder | Rung, dialect: str | Dialect, *, grouped: bool = Fals
     texts: dict[int, list[str]] = {}
     for line in lines:
         texts.setdefault(line.rung, []).append(line.text)
-    rows: list[str] = []
+    rows = list(ladder.configuration) if isinstance(ladder, Ladder) else []
     for number, rung in enumerate(_rungs(ladder)):
-        title = " ".join(rung.title.split())
+        title = " ".join("".join(sign if sign.isprintable() else " " for sign in rung.title).split())
         if family.networks_by_title:
             rows.append(f"{family.heading} {number + 1} // {title}" if title else f"{family.heading} {number + 1}")
         elif title:

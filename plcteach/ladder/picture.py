@@ -24,7 +24,7 @@ from plcteach.core.source import Span, half_width
 from plcteach.core.text import Text
 from plcteach.ladder.oneline import read_line, write_line
 from plcteach.ladder.reduce import rungs
-from plcteach.ladder.telling import HEADING, MOST_CHARACTERS, PLAIN
+from plcteach.ladder.telling import CONFIGURATION, HEADING, MOST_CHARACTERS, PLAIN
 from plcteach.ladder.typeset import write_drawing
 from plcteach.ladder.wires import FILL, TAB, Row
 
@@ -46,7 +46,9 @@ def read_drawing(text: str) -> tuple[Ladder, tuple[Diagnostic, ...]]:
         reading = reading if narrow.diagnostics else narrow
     if not reading.rungs and not reading.diagnostics:
         reading.diagnostics.append(rule("DRW015").at(Span(1)))
-    return Ladder(tuple(reading.rungs), reading.title), tuple(reading.diagnostics[:MOST_FINDINGS])
+    return Ladder(tuple(reading.rungs), reading.title, tuple(reading.settings)), tuple(
+        reading.diagnostics[:MOST_FINDINGS]
+    )
 
 
 def _read(text: str, *, wide: bool) -> _Reading:
@@ -73,6 +75,7 @@ class _Reading:
     heading: str = ""
     rows: list[Row] = field(default_factory=list)
     begun: bool = False
+    settings: list[str] = field(default_factory=list)
 
     def too_large(self, span: Span, size: Text, most: str) -> None:
         self.diagnostics.append(rule("DRW012").at(span, size=size, most=most))
@@ -87,6 +90,8 @@ class _Reading:
         elif control:
             at = control.start()
             self.diagnostics.append(rule("DRW001").at(Span(number, at, at + 1), word=f"U+{ord(code[at]):04X}"))
+        elif CONFIGURATION.fullmatch(half_width(code)) and not (self.rungs or self.rows):
+            self.settings.append(" ".join(half_width(code).split()))
         elif match:
             self.close()
             self.heading = given[match.start("rest") :].strip().lstrip("/:：").strip()
@@ -102,6 +107,8 @@ class _Reading:
                 self.close()
             elif not self.begun:
                 self.title = given.strip().lstrip("/／").strip()
+            elif not self.rows and not self.heading:
+                self.heading = given.strip().lstrip("/／").strip()
             self.begun = True
             return
         self.begun = True

@@ -7,8 +7,6 @@ a scan, a note says so.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from html import escape
 from typing import TYPE_CHECKING
 
 from plcteach.core.area import Address
@@ -22,6 +20,7 @@ from plcteach.ladder.lift import lift
 from plcteach.ladder.lower import lower_lines
 from plcteach.ladder.oneline import write_line
 from plcteach.ladder.places import Places
+from plcteach.ladder.translation import Translation
 from plcteach.stl.reader import read
 from plcteach.stl.writer import write
 
@@ -31,30 +30,6 @@ if TYPE_CHECKING:
     from plcteach.core.ladder import Out
     from plcteach.core.program import Line, Program
     from plcteach.core.spec import Dialect
-
-
-_NOTE = Text("注意", "note")
-
-
-@dataclass(frozen=True, slots=True)
-class Translation:
-    """The text in the other family, the program that it reads as, the table of addresses, and what there is to say.
-
-    addresses: for each address of the source what takes its place, in order of first appearance; `/` before it: its inverse.
-    """
-
-    text: str
-    program: Program
-    addresses: dict[str, str]
-    notes: tuple[Text, ...]
-
-    def __repr__(self) -> str:
-        said = "".join(f"\n{_NOTE.in_(language())}: {one.in_(language())}" for one in self.notes)
-        return self.text.rstrip("\n") + said
-
-    def _repr_html_(self) -> str:
-        notes = "".join(f"<li>{escape(one.in_(language()))}</li>" for one in self.notes)
-        return f"<pre>{escape(self.text)}</pre>" + (f"<p>{_NOTE.in_(language())}</p><ul>{notes}</ul>" if notes else "")
 
 
 def translate(program: Program, to: str | Dialect) -> Translation:

@@ -19,7 +19,8 @@ def write_drawing(ladder: Ladder | Rung) -> str:
         "\n".join(_heading(one, number, headed=headed) + _rows(layout(one))) for number, one in enumerate(rungs, 1)
     ]
     title = "" if ladder in rungs else _one_line(ladder.title)
-    return "".join(f"{part}\n" for part in ([f"// {title}"] if title else []) + ["\n\n".join(parts)] if part)
+    head = [*([f"// {title}"] if title else []), *getattr(ladder, "configuration", ())]
+    return "".join(f"{part}\n" for part in (*head, "\n\n".join(parts)) if part)
 
 
 def _heading(rung: Rung, number: int, *, headed: bool) -> list[str]:
@@ -30,7 +31,8 @@ def _heading(rung: Rung, number: int, *, headed: bool) -> list[str]:
 
 
 def _one_line(title: str) -> str:
-    return " ".join(title.split())
+    """Put a title on one line, without signs that a terminal would obey."""
+    return " ".join("".join(sign if sign.isprintable() else " " for sign in title).split())
 
 
 def _rows(plan: Layout) -> list[str]:

@@ -13,17 +13,24 @@ from plcteach.ladder.either import Given, ladder_either, read_either
 from plcteach.ladder.lower import lower as lowered
 from plcteach.ladder.lower import lower_lines
 from plcteach.ladder.translate import translate as translated
+from plcteach.ladder.translation import Translation
 
 if TYPE_CHECKING:
     from plcteach.core.program import Program
     from plcteach.core.spec import Dialect
-    from plcteach.ladder.translate import Translation
 
 
-class Listing(str):
-    """The text of a list, which a notebook shows with its lines below each other."""
+class Listing(str):  # noqa: SLOT000 (it bears its family)
+    """The text of a list, which a notebook shows with its lines below each other; it knows its family."""
 
-    __slots__ = ()
+    dialect: Dialect
+
+    @classmethod
+    def of(cls, text: str, family: Dialect) -> Listing:
+        """Give the text of a list of a family."""
+        made = cls(text)
+        made.dialect = family
+        return made
 
     def __repr__(self) -> str:
         return str(self).rstrip("\n")
@@ -47,17 +54,28 @@ def lower(
     refuse(given.found)
     drawn = given.ladder
     if not reasons:
-        return Listing("\n".join((*given.configuration, lowered(drawn, family, grouped=grouped, fused=fused))))
+        return Listing.of(
+            "\n".join((*given.configuration, lowered(drawn, family, grouped=grouped, fused=fused))), family
+        )
     lines = lower_lines(drawn, family, grouped=grouped, fused=fused)
     wide = max((len(one.text) for one in lines), default=0)
     said = ((one.text, one.reason.in_(language())) for one in lines)
-    return Listing("".join(f"{f'{text:{wide}}  // {why}' if why else text}\n" for text, why in said))
+    rows = (
+        *given.configuration,
+        *drawn.configuration,
+        *(f"{text:{wide}}  // {why}" if why else text for text, why in said),
+    )
+    return Listing.of("".join(f"{row}\n" for row in rows), family)
 
 
-def translate(text: str | Program, to: str | Dialect, dialect: str | Dialect | None = None) -> Translation:
+def translate(
+    text: str | Program | Translation, to: str | Dialect, dialect: str | Dialect | None = None
+) -> Translation:
     """Carry a program (or the text of a list or drawing) to another family, with the table of its addresses."""
+    if isinstance(text, Translation):
+        return translated(text.program, to)
     if isinstance(text, str):
-        text = read_either(text, dialect or names()[0])
+        text = read_either(text, dialect or getattr(text, "dialect", None) or names()[0])
         refuse(text.diagnostics)
     return translated(text, to)
 

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass, field
-from decimal import Decimal
+from decimal import Decimal, InvalidOperation
 from typing import TYPE_CHECKING, Protocol
 
 from plcteach.core.effect import Both, Name, Not, names
@@ -76,8 +76,12 @@ def micro(number: object) -> int:
     if isinstance(number, bool) or not isinstance(number, int | float | str):
         msg = f"a position is a number and not {number!r}"
         raise DeclarationError(msg)
-    exact = Decimal(str(number)) * MICRO
-    if exact != exact.to_integral_value():
+    try:
+        exact = Decimal(str(number)) * MICRO
+    except InvalidOperation:
+        msg = f"a position is a number and not {number!r}"
+        raise DeclarationError(msg) from None
+    if not exact.is_finite() or exact != exact.to_integral_value():
         msg = f"a position has at most six decimals, and {number} has more"
         raise DeclarationError(msg)
     return int(exact)

@@ -7,50 +7,18 @@ for a while (no part reaches a place that some condition names) the model leaps 
 
 from __future__ import annotations
 
-from copy import deepcopy
-from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
-from plcteach.core.errors import PlcTeachError, UnknownNameError
+from plcteach.core.errors import PlcTeachError
+from plcteach.plants.condition import MICRO
+from plcteach.plants.moment import Fault, Moment
 from plcteach.plants.travel import Travel
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
-    from plcteach.core.text import Text
     from plcteach.plants.condition import Condition
-    from plcteach.plants.plant import Hazard, Plant, Way, Wired
-
-
-@dataclass(frozen=True, slots=True)
-class Fault:
-    """What went wrong, when, and the sentence that says so."""
-
-    id: str
-    ms: int
-    says: Text
-
-    def __repr__(self) -> str:
-        return f"Fault({self.id} at {self.ms} ms)"
-
-
-@dataclass(slots=True)
-class Moment:
-    """All that a plant remembers: kept as one value, so that a run can be taken back to a moment.
-
-    spots: where each part is, and each workpiece of a kind.  heading: the way a part last went, 1 up, -1 down.
-    known: for everything that happens when a condition *begins* to hold, whether it held a millisecond ago.
-    since: from when on each hazard has held.  turn: which workpiece of its row each birth gives next.
-    """
-
-    ms: int = 0
-    bits: dict[str, bool] = field(default_factory=dict)
-    spots: dict[str, list[int]] = field(default_factory=dict)
-    heading: dict[str, int] = field(default_factory=dict)
-    known: dict[str, bool] = field(default_factory=dict)
-    since: dict[str, int] = field(default_factory=dict)
-    turn: list[int] = field(default_factory=list)
-    faults: list[Fault] = field(default_factory=list)
+    from plcteach.plants.declared import Hazard, Plant, Way, Wired
 
 
 class Model:
@@ -62,6 +30,7 @@ class Model:
         self.wires: dict[str, Wired] = {one.symbol: one.wired for one in plant.devices}
         self.ways: dict[str, Way] = {one.symbol: one.way for one in plant.devices}
         self._drives = [(one.symbol, one.address) for one in plant.outputs]
+        self._senses = [(one.symbol, one.address) for one in plant.inputs]
         self._feels = [(one.symbol, one.along, one.on.test) for one in plant.devices if one.on]
         self._travel = Travel(plant)
         self._now = Moment()
@@ -101,24 +70,24 @@ class Model:
 
     def position(self, part: str) -> float:
         """Give where a part is, in its unit."""
-        return self._now.spots[part][0] / 1_000_000
+        return self._now.spots[part][0] / MICRO
 
     def holds(self, condition: Condition) -> bool:
         """Say whether a condition holds now."""
-        return condition.test(self)
+        return condition.test(self._now)
 
     def moment(self) -> Moment:
         """Give a copy of all that the plant remembers."""
-        return deepcopy(self._now)
+        return self._now.copy()
 
     def back_to(self, moment: Moment) -> None:
         """Take the plant back to a moment."""
-        self._now = deepcopy(moment)
+        self._now = moment.copy()
 
     # what a hand does
 
-    def press(self, symbol: str, down: bool = True) -> None:  # noqa: FBT001, FBT002 - a finger is down or up
-        """Press a button or turn a switch on, or let it go; PlcTeachError for what no hand can press."""
+    def press(self, symbol: str, down: int = 1) -> None:
+        """Press a button or turn a switch on (1), or let it go (0); PlcTeachError for what no hand can press."""
         device = self.plant.device(symbol)
         if device.role != "hand":
             msg = f"{symbol} is a {device.kind}: the plant moves it, and no hand"
@@ -146,7 +115,7 @@ class Model:
     def sense(self) -> dict[str, int]:
         """Give every input as it stands at the PLC's terminals: 0 or 1 by its address."""
         bits, wires = self._now.bits, self.wires
-        return {one.address: int(bits[one.symbol] != (wires[one.symbol] == "NC")) for one in self.plant.inputs}
+        return {address: int(bits[symbol] != (wires[symbol] == "NC")) for symbol, address in self._senses}
 
     def step(self, outputs: Mapping[str, int], ms: int) -> None:
         """Let so many milliseconds pass with these outputs (by address; one that is not named is 0)."""
@@ -186,12 +155,3 @@ class Model:
     def _report(self, hazard: Hazard) -> None:
         if all(fault.id != hazard.id for fault in self._now.faults):
             self._now.faults.append(Fault(hazard.id, self._now.ms, hazard.says))
-
-
-def fault_of(model: Model, name: str) -> Fault:
-    """Give a fault that has happened, by its name; UnknownNameError where it has not."""
-    for fault in model.faults:
-        if fault.id == name:
-            return fault
-    kind = "fault so far"
-    raise UnknownNameError(kind, name, (fault.id for fault in model.faults))

@@ -14,8 +14,10 @@ from plcteach.core.diagnostic import errors
 from plcteach.core.source import decode
 from plcteach.dialects import dialect as find_dialect
 from plcteach.figure.film import film
+from plcteach.machine.live import Live
 from plcteach.machine.scan import Trace, run
 from plcteach.stl import read
+from plcteach.widgets.live import Session
 from plcteach.widgets.player import still, table
 from plcteach.widgets.show import Shown, module, styles
 
@@ -32,13 +34,14 @@ if TYPE_CHECKING:
 
 
 class Workbench(Shown):
-    """Type an instruction list, switch its inputs, watch the stack.
+    """Type an instruction list, switch its inputs, watch the stack; or let it run live.
 
-    source: the text as typed, never lost, errors or not.  inputs: a JSON object {address: 0 | 1}.
+    source: the text as typed, never lost, errors or not.  inputs: a JSON object {address: 0 | 1}.  live: what the live bench
+    shows of the program, as JSON; nothing while it is stepped through.
     """
 
     _esm = module("render-bench.js")
-    _css = styles("player.css", "bench.css")
+    _css = styles("player.css", "bench.css", "live.css")
     source = traitlets.Unicode("").tag(sync=True)
     inputs = traitlets.Unicode("{}").tag(sync=True)
     film = traitlets.Unicode("").tag(sync=True)
@@ -46,6 +49,7 @@ class Workbench(Shown):
     serial = traitlets.Int(0).tag(sync=True)
     index = traitlets.Int(0).tag(sync=True)
     filename = traitlets.Unicode("program.stl").tag(sync=True)
+    live = traitlets.Unicode("").tag(sync=True)
 
     def __init__(self, text: str, dialect: str | Dialect, inputs: dict[str, int] | None = None, **values: Any) -> None:
         self._dialect = find_dialect(dialect)
@@ -54,6 +58,7 @@ class Workbench(Shown):
         self._film: Film | None = None
         self._ran = ""
         self._seen = ("", "")
+        self._session: Session | None = None
         values.setdefault("filename", f"program-{sha256(text.encode()).hexdigest()[:4]}.stl")  # drafts go by file name
         super().__init__(source=text, inputs=json.dumps(inputs or {}), **values)
         self._answer(cold=True)
@@ -87,6 +92,15 @@ class Workbench(Shown):
                 self._answer(cold=True)
             case "open" if buffers:
                 self._open(str(content.get("name", "program.stl"))[:80], bytes(buffers[0]))
+            case "live":
+                self._go_live(read(self._ran, self._dialect) if content.get("on") and self._ran else None)
+            case _ if self._session:
+                self.send(self._session.answer(content))
+
+    def _go_live(self, program: Program | None) -> None:
+        """Run a program live from power-on, or go back to stepping."""
+        self._session = Session(Live(program)) if program else None
+        self.live = json.dumps(self._session.watch.cast(), ensure_ascii=False) if self._session else ""
 
     def _answer(self, *, cold: bool) -> None:
         """Read, check and (where there is no error) run one scan, then tell the page."""
@@ -114,6 +128,8 @@ class Workbench(Shown):
         found += trace.diagnostics
         self._memory = trace.scans[-1].after
         self._scan += 1
+        if self._session and self._ran != self.source:
+            self._go_live(program)
         self._ran = self.source
         self._film = film(trace.scans, rows=True)
 

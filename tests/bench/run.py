@@ -10,6 +10,7 @@ scans      generated scans against scans executed line by line, traced or not, a
 growth     how cost grows with the length of a program and with virtual time
 lanes      a thousand timelines side by side against one after the other
 memory     ten minutes of virtual time at 10 ms scans: how long it takes and how much it keeps
+live       the live bench: scans and pictures a second, from the button to the lamp, ten minutes without growth
 ladders    lifting, lowering and drawing 500 rungs, and how the cost grows with rungs and with nesting
 """
 
@@ -380,6 +381,70 @@ def lanes() -> None:
     )
 
 
+PRESSED = """async () => {
+  const [push, bulb] = [document.querySelector('.plc-live-push'), document.querySelector('.plc-lamp-bulb')];
+  const took = [];
+  for (let i = 0; i < 20; i++) {
+    const wanted = bulb.textContent === '1' ? '0' : '1';
+    const start = performance.now();
+    push.dispatchEvent(new PointerEvent(wanted === '1' ? 'pointerdown' : 'pointerup', { pointerId: 1, bubbles: true }));
+    while (bulb.textContent !== wanted) await new Promise((resolve) => requestAnimationFrame(resolve));
+    took.push(performance.now() - start);
+    await new Promise((resolve) => setTimeout(resolve, 120));
+  }
+  return took;
+}"""
+
+
+def live() -> None:
+    """Run the live bench in Chromium against a kernel of the same messages, and alone for ten minutes of virtual time."""
+    import tracemalloc
+
+    from playwright.sync_api import sync_playwright
+
+    from plcteach.machine.live import Live
+    from plcteach.stl import read
+
+    sys.path.insert(0, str(Path(__file__).parents[1] / "browser"))
+    from livepage import served
+
+    program = read("LD I0.0; = Q0.0; " + TIMED, "s7-200")
+    with served(program) as (address, session), sync_playwright() as playwright:
+        browser = playwright.chromium.launch(executable_path=shutil.which("chromium"), args=FLAGS)
+        page = browser.new_page(viewport={"width": 1300, "height": 1000})
+        page.goto(address)
+        page.wait_for_selector(".plc-status-value[data-value]")
+        page.locator(".plc-live-run").click()
+        page.wait_for_timeout(500)
+        page.evaluate("window.answers.length = 0")
+        before, start = session.live.scans, time.perf_counter()
+        page.wait_for_timeout(5_000)
+        took, answers = time.perf_counter() - start, page.evaluate("window.answers")
+        ran = session.live.scans - before
+        pressed = page.evaluate(PRESSED)
+        browser.close()
+    waits = [stop - begin for begin, stop, _ in answers]
+    alone = Live(program, kept_ms=60_000)
+    start, sizes = time.perf_counter(), []
+    tracemalloc.start()
+    for _ in range(10):
+        alone.run(6_000)
+        sizes.append(tracemalloc.get_traced_memory()[0] / 1e6)
+    tracemalloc.stop()
+    show(
+        f"live: {len(program.lines)} lines, scans of 10 ms",
+        ("pictures a second", f"{len(answers) / took:.0f}"),
+        ("virtual time against the clock", f"{ran * 10 / took / 1e3:.2f} times"),
+        ("from request to answer drawn", f"median {statistics.median(waits):.1f} ms, longest {max(waits):.0f} ms"),
+        ("from the button to the lamp", f"median {statistics.median(pressed):.0f} ms, longest {max(pressed):.0f} ms"),
+        ("ten minutes of virtual time alone", f"{time.perf_counter() - start:.1f} s (with memory measured)"),
+        (
+            "kept with a history of one minute, after 1, 2, 5, 10 minutes",
+            ", ".join(f"{sizes[at]:.1f}" for at in (0, 1, 4, 9)) + " MB",
+        ),
+    )
+
+
 RUNG = (
     "LD I{n}.0; A I{n}.1; LD I{n}.2; AN I{n}.3; OLD; LD M{n}.0; O M{n}.1; ALD; "
     "LPS; A I{n}.4; = Q{n}.0; LRD; A I{n}.5; = Q{n}.1; LPP; = Q{n}.2"
@@ -477,7 +542,7 @@ def memory() -> None:
 
 
 BENCHMARKS = {
-    one.__name__: one for one in (step, traced, imports, columns, hostile, scans, growth, lanes, memory, ladders)
+    one.__name__: one for one in (step, traced, imports, columns, hostile, scans, growth, lanes, memory, live, ladders)
 }
 
 if __name__ == "__main__":

@@ -2,6 +2,7 @@
 
 import { h, say } from "./ui.js";
 import { mountEditor } from "./editor.js";
+import { liveSwitch } from "./live-switch.js";
 import { readTrait, switchRows, sameAddresses, valueText } from "./worksheet.js";
 import { PANEL_WORDS, openSession, followTraits, viewChoices, wordButton, renameButton } from "./panel.js";
 import { statusLine, keepDrafts, filmPanel, toolRoot, flushOnLeave } from "./panel.js";
@@ -178,8 +179,9 @@ function benchParts(model, tool) {
     restore: (text) => (parts.editor.setText(text), parts.typed(text)),
   });
   parts.desk = h("div", { className: "plc-work-text" });
+  parts.live = liveSwitch(model, [parts.controls.node, parts.film.node]);
   tool.node.append(parts.bar.node, parts.drafts.node, big, h("div", { className: "plc-work" }, parts.desk,
-    h("div", { className: "plc-work-run" }, parts.controls.node, parts.film.node)));
+    h("div", { className: "plc-work-run" }, parts.live.node, parts.controls.node, parts.film.node)));
   return parts;
 }
 
@@ -208,7 +210,7 @@ function connectBench(parts, model) {
   };
   parts.relabel = () => {
     const lang = parts.lang();
-    for (const part of [parts.editor, parts.film, parts.controls]) part.lang(lang);
+    for (const part of [parts.editor, parts.film, parts.controls, parts.live]) part.lang(lang);
     for (const part of [parts.drafts, parts.status]) part.show(lang);
     parts.bar.show(lang, last, model.get("filename"));
   };
@@ -244,5 +246,5 @@ export function mountBench(root, model) {
   parts.relabel();
   parts.session.settle();
   const unflush = flushOnLeave(parts.editor);
-  return { destroy: () => (unflush(), parts.editor.destroy(), parts.film.destroy(), parts.session.close(), unfollow(), tool.remove()) };
+  return { destroy: () => (unflush(), parts.editor.destroy(), parts.film.destroy(), parts.live.destroy(), parts.session.close(), unfollow(), tool.remove()) };
 }

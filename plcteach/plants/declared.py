@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping
 
     from plcteach.core.text import Text
-    from plcteach.plants.condition import Condition
+    from plcteach.plants.condition import Bound, Condition
 
 Wired = Literal["NO", "NC"]
 Way = Literal["both", "up", "down"]
@@ -32,6 +32,28 @@ KINDS: dict[str, Role] = {
     "solenoid": "drive",
 }
 """Each kind of device, and who moves it: a hand, the plant, or the PLC."""
+
+SHAPES: dict[str, tuple[frozenset[str], frozenset[str]]] = {
+    kind: (frozenset(needed.split()), frozenset(others.split()))
+    for kind, needed, others in (
+        ("button", "for", "stop label"),
+        ("lever", "for", "label"),
+        ("limit-switch", "for", "side label"),
+        ("sensor", "for", "beam label"),
+        ("lamp", "for", "radius glow letter label"),
+        ("contactor", "for", "up down label"),
+        ("valve", "for", "label"),
+        ("motor", "", "radius label"),
+        ("belt", "length", "height"),
+        ("box", "width height", "ink radius shown"),
+        ("disc", "radius", "ink shown"),
+        ("line", "points", "ink arrow shown"),
+        ("words", "text", "ink size anchor bold shown"),
+        ("value", "text of", "size anchor"),
+        ("item", "of by", "look"),
+    )
+}
+"""What a picture is made of: each kind of thing, what must be said of it and what may be; every thing has a place too."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -127,11 +149,10 @@ class Birth:
 
 @dataclass(frozen=True, slots=True)
 class Change:
-    """While a condition holds, workpieces of a kind between two places become workpieces of another kind ("": disappear)."""
+    """While a condition holds, workpieces of a kind at a place become workpieces of another kind ("": disappear)."""
 
     item: str
-    least: int
-    most: int
+    where: Bound
     when: Condition
     into: str
 
@@ -279,6 +300,32 @@ class Plant:
     def hands(self) -> tuple[Device, ...]:
         """Everything that a hand can press or turn."""
         return tuple(one for one in self.devices if one.role == "hand")
+
+    def part(self, name: str) -> Part:
+        """Give a part by its name."""
+        return self._parts[name]
+
+    @cached_property
+    def _parts(self) -> dict[str, Part]:
+        return {one.name: one for one in self.parts}
+
+    @cached_property
+    def conditions(self) -> tuple[Condition, ...]:
+        """Everything on which the motion or a report of this plant depends."""
+        movable: tuple[Part | Item, ...] = (*self.parts, *self.items)
+        moves = [move.when for one in movable for move in one.moves]
+        parts = [each for one in self.parts for each in (one.home, one.notch) if each]
+        stops = [stop.unless for one in self.items for stop in one.stops]
+        births = [each for one in self.births for each in (one.on, one.only)]
+        latches = [each for one in self.latches for each in (one.set, one.reset)]
+        rest = [*(one.when for one in self.changes), *(one.when for one in self.hazards)]
+        return (*moves, *parts, *stops, *births, *latches, *rest, *(one.on for one in self.devices if one.on))
+
+    @cached_property
+    def bounds(self) -> tuple[Bound, ...]:
+        """Every stretch of positions that counts for something."""
+        inside = [bound for condition in self.conditions for bound in condition.bounds]
+        return (*inside, *(one.where for one in self.changes))
 
     def device(self, symbol: str) -> Device:
         """Give a device by its symbol; UnknownNameError suggests the nearest."""
