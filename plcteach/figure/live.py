@@ -14,6 +14,9 @@ from plcteach.figure.cast import cast
 from plcteach.figure.faces import Blocks
 from plcteach.figure.film import film
 from plcteach.figure.growth import Growth
+from plcteach.figure.plant import plant_scene, plant_state
+from plcteach.figure.svg import svg
+from plcteach.plants import Model
 
 if TYPE_CHECKING:
     from plcteach.core.area import Address
@@ -26,6 +29,9 @@ if TYPE_CHECKING:
 
 LEVELS = 4
 """So many levels of the stack stand beside a line, as the vendors' status view has them."""
+
+
+_FAULT = Text("{time}：{says}", "{time}: {says}")
 
 
 @dataclass(slots=True)
@@ -50,6 +56,11 @@ class Watch:
         """The program that runs."""
         return self.live.program
 
+    @property
+    def symbols(self) -> dict[str, str]:
+        """What the plant calls the addresses that it is connected to."""
+        return {one.address: one.symbol for one in self.model.plant.devices} if self.model else {}
+
     def cast(self) -> dict[str, Any]:
         """Give what does not change: the lines, the ladder, and what there is to switch, to light and to draw."""
         return cast(self.program, [0] * len(self.program.dialect.stacks), rows=False) | {
@@ -60,11 +71,46 @@ class Watch:
             "words": [self.named(one) for one in self.words()],
             "rows": [[one.text, int(one.size > 1)] for one in self.charts()],
             "ms": self.live.scan_ms,
+            **({"plant": self.planted(self.model)} if self.model else {}),
         }
+
+    @property
+    def model(self) -> Model | None:
+        """The plant that is driven, if it is one that can be drawn."""
+        return self.live.plant if isinstance(self.live.plant, Model) else None
+
+    def planted(self, model: Model) -> dict[str, Any]:
+        """Give what does not change of the plant: its picture, its story, what a hand can press, and how inputs are wired."""
+        plant = model.plant
+        return {
+            "svg": {lang: svg(plant_scene(plant), lang, paper=False) for lang in ("zh", "en")},
+            "title": plant.title.as_dict(),
+            "story": plant.story.as_dict(),
+            "hands": [one.symbol for one in plant.hands],
+            "wires": [
+                [one.symbol, model.wires.get(one.symbol, one.wired), one.what.as_dict()]
+                for one in plant.inputs
+                if one.role == "hand"
+            ],
+        }
+
+    def plant(self, scan: int) -> dict[str, Any]:
+        """Give the state of the plant's picture after a scan."""
+        model = self.model
+        if model is None:
+            return {}
+        then = self.live.plant_at(scan)
+        if then is None:
+            return plant_state(model)
+        now = model.moment()
+        model.back_to(then)
+        shown = plant_state(model)
+        model.back_to(now)
+        return shown
 
     def named(self, address: Address) -> dict[str, str]:
         """Give an address with its name, where a symbol table has one."""
-        name = self.program.symbols.get(address.text, "")
+        name = self.program.symbols.get(address.text, "") or self.symbols.get(address.text, "")
         return {"address": address.text} | ({"name": name} if name else {})
 
     def written(self) -> tuple[Address, ...]:
@@ -101,7 +147,7 @@ class Watch:
 
     def batch(self, scan: Scan[Column], number: int) -> dict[str, Any]:
         """Give what has changed since the page was last told."""
-        now = self.moment(scan)
+        now = self.moment(scan) | ({"plant": self.plant(number)} if self.model else {})
         changed = {name: value for name, value in now.items() if self.sent.get(name) != value and name != "faces"}
         known = self.sent.get("faces", {})
         faces = {address: face for address, face in now["faces"].items() if known.get(address) != face}
@@ -144,7 +190,9 @@ class Watch:
 
     def found(self) -> list[dict[str, str]]:
         """Give what there is to say of the run so far: an x at an output, a loop that ran away, a fault of the plant."""
+        faults = self.model.faults if self.model else ()
         said = [one.text for one in self.live.recorder.found.values()]
+        said += [_FAULT.format(time=f"{fault.ms / 1000:.2f} s", says=fault.says) for fault in faults]
         return [one.as_dict() for one in said]
 
     def film(self, scan: Scan[Column]) -> str:

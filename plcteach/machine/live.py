@@ -19,6 +19,9 @@ if TYPE_CHECKING:
     from plcteach.core.program import Program
     from plcteach.machine.signals import Column
 
+APART_MOMENTS = 10
+"""The plant is remembered after every so many scans."""
+
 KEPT_MS = 600_000
 """So much of the past is kept, in virtual time."""
 
@@ -36,6 +39,10 @@ class Driven(Protocol):
 
     def reset(self) -> None:
         """Go back to how it was at the beginning."""
+        ...
+
+    def moment(self) -> Any:
+        """Give a copy of all that it remembers."""
         ...
 
 
@@ -60,6 +67,7 @@ class Live:
         """Start again, cold or with a memory; the switches stay as they are, the plant goes back to its beginning."""
         self.recorder = Recorder(self.program, memory or Memory(), self.scan_ms)
         self.forgotten = 0
+        self.moments: dict[int, Any] = {}
         self.last: Scan[Column] | None = None
         if self.plant:
             self.plant.reset()
@@ -105,6 +113,8 @@ class Live:
         if self.plant:
             store = Store(self.program, after, BITS)
             self.plant.step({one: int(repr(store.bits.get(one)) == "1") for one in self.outputs}, self.scan_ms)
+            if not self.scans % APART_MOMENTS:
+                self.moments[self.scans] = self.plant.moment()
         number = len(self.recorder.starts) - 1
         starts = self.recorder.starts
         ms = starts[number] - starts[number - 1] if number else self.recorder.first_ms
@@ -115,6 +125,7 @@ class Live:
         )
         if number + 1 > self.most + self.most // 4:
             self.forgotten += self.recorder.forget(number + 1 - self.most)
+            self.moments = {scan: moment for scan, moment in self.moments.items() if scan >= self.forgotten}
 
     def at(self, scan: int) -> Scan[Column]:
         """Give a scan by its number, or the nearest that is kept."""
@@ -122,6 +133,12 @@ class Live:
         if self.last and scan >= self.scans - 1:
             return self.last
         return self.trace().scans[number]
+
+    def plant_at(self, scan: int) -> Any:
+        """Give how the plant was after a scan, or shortly before; None for now."""
+        if scan >= self.scans - 1:
+            return None
+        return self.moments.get((scan + 1) // APART_MOMENTS * APART_MOMENTS)
 
     def trace(self) -> Trace:
         """Give what has run, as far back as it is kept."""

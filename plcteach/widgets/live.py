@@ -39,6 +39,8 @@ class Session:
                 memory = warm(self.live.program, self.live.recorder.memory()) if asked.get("how") == "warm" else None
                 self.live.reset(memory)
                 self.watch.forget()
+            case "wire" if self.watch.model:
+                self.wire(str(asked.get("symbol")), str(asked.get("wired")))
             case "film":
                 return {
                     "type": "film",
@@ -55,13 +57,28 @@ class Session:
         return self.batch(asked)
 
     def event(self, address: str, value: object) -> None:
-        """Set an input that the program has, or give it back; nothing else can be set from a page."""
+        """Press a button of the plant, set an input that the program has, or give it back; nothing else can be set from a page.
+
+        A button goes by its symbol with @ before it, or by its address; an input that the plant moves itself is forced.
+        """
+        model = self.watch.model
+        hands = {one.symbol: one for one in model.plant.hands} if model else {}
+        symbol = address.removeprefix("@") if address.startswith("@") else self.watch.symbols.get(address, "")
+        if model and symbol in hands and address not in self.live.held:
+            model.press(symbol, int(bool(value)))
+            return
         if address not in {one.text for one in self.live.program.addresses("input")}:
             return
         if value is None:
             self.live.release(address)
         else:
             self.live.press(address, int(bool(value)))
+
+    def wire(self, symbol: str, wired: str) -> None:
+        """Connect a button to its other contact; what the plant does not have is passed over."""
+        model = self.watch.model
+        if model and symbol in {one.symbol for one in model.plant.inputs} and wired in {"NO", "NC"}:
+            model.wire(symbol, "NC" if wired == "NC" else "NO")
 
     def number(self, asked: dict[str, Any]) -> int:
         """Give the scan that is asked for: the last where none is named."""

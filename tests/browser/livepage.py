@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import threading
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from typing import TYPE_CHECKING, Any
 
@@ -49,7 +49,8 @@ def served(program: Program, plant: Any = None, lang: str = "en") -> Iterator[tu
             self.send_response(200)
             self.send_header("Content-Type", f"{kind}; charset=utf-8")
             self.end_headers()
-            self.wfile.write(body.encode())
+            with suppress(BrokenPipeError):  # the page has gone
+                self.wfile.write(body.encode())
 
         def do_GET(self) -> None:
             self.answer("text/html", page)

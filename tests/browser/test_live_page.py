@@ -8,6 +8,7 @@ import pytest
 from labpage import axe
 from livepage import served
 
+from plcteach.plants import Model, plant
 from plcteach.stl import read
 
 if TYPE_CHECKING:
@@ -16,6 +17,9 @@ if TYPE_CHECKING:
     from playwright.sync_api import Browser, Page
 
     from plcteach.widgets.live import Session
+
+HOME = 5
+"""The limit switch at home is met a few mm before the end."""
 
 SEAL_IN = """Network 1 // start and stop
 LD I0.0
@@ -192,4 +196,49 @@ def test_the_bench_is_accessible_and_never_wider_than_the_window(chromium: Brows
         page.wait_for_timeout(200)
         assert axe(page, ".plc-live") == []
         assert page.evaluate("document.documentElement.scrollWidth") <= width
+        page.context.close()
+
+
+def test_the_drilling_head_runs_its_whole_cycle_and_comes_home(chromium: Browser) -> None:
+    there = plant("drilling-head")
+    sample = there.reference
+    with served(read(sample.text, sample.family), Model(there.for_(sample))) as (address, session):
+        page = opened(chromium, address)
+        page.locator(".plc-speed").last.select_option("5")
+        page.locator(".plc-live-run").click()
+        hand = page.locator(".plc-plant-hand").first.bounding_box()
+        assert hand
+        page.mouse.move(hand["x"] + hand["width"] / 2, hand["y"] + hand["height"] / 2)
+        page.mouse.down()
+        page.wait_for_timeout(200)
+        page.mouse.up()
+        words = "() => [...document.querySelectorAll('.plc-plant-picture text')].map((one) => one.textContent).find((text) => text.endsWith(' mm'))"
+        seen: list[int] = []
+        for _ in range(120):
+            seen.append(int(str(page.evaluate(words)).split()[0]))
+            if max(seen) > 50 and seen[-1] <= HOME:
+                break
+            page.wait_for_timeout(100)
+        assert max(seen) > 50
+        assert seen[-1] <= HOME, "it is home again"
+        assert session.watch.found() == []
+        assert page.locator(".plc-live-faults p").count() == 0
+        assert axe(page, ".plc-live") == []
+        page.context.close()
+
+
+def test_a_fault_of_the_plant_is_reported_in_words(chromium: Browser) -> None:
+    there = plant("star-delta")
+    sample = next(one for one in there.samples if one.role == "wrong")
+    with served(read(sample.text, sample.family), Model(there.for_(sample)), lang="zh") as (address, session):
+        page = opened(chromium, address)
+        page.locator(".plc-speed").last.select_option("5")
+        page.locator(".plc-live-run").click()
+        page.locator(".plc-live-push").first.focus()
+        page.keyboard.down("Space")
+        page.wait_for_timeout(100)
+        page.keyboard.up("Space")
+        page.wait_for_selector(".plc-live-faults p", timeout=15_000)
+        said = page.locator(".plc-live-faults p").first.inner_text()
+        assert said.strip() == session.watch.found()[0]["zh"]
         page.context.close()

@@ -7,6 +7,8 @@ from typing import Any
 
 from plcteach.figure.live import Watch
 from plcteach.machine.live import Live
+from plcteach.plants import Model
+from plcteach.plants import plant as find_plant
 from plcteach.stl import read, read_symbols
 from plcteach.widgets.live import LiveBench, Session
 
@@ -120,3 +122,56 @@ def test_two_benches_do_not_disturb_each_other_and_each_says_what_it_is() -> Non
     assert other.trace["Q0.0"] == "0" * 4
     assert repr(one) == repr(other) == "LiveBench(s7-200, 11 lines)"
     assert one.timeline.startswith("I0.0: ")
+
+
+def planted(name: str, role: str = "reference") -> Session:
+    plant = find_plant(name)
+    sample = next(one for one in plant.samples if one.role == role)
+    return Session(Live(read(sample.text, sample.family), Model(plant.for_(sample))))
+
+
+def test_a_plant_is_pressed_by_its_symbol_and_its_picture_follows() -> None:
+    session = planted("eight-lamps")
+    cast = session.watch.cast()
+    assert set(cast["plant"]["hands"]) >= {"SB1", "SB2"}
+    assert {"address": "%I0.0", "name": "SB1"} in cast["inputs"]
+    told = answer(session, type="run", scans=3, events=[["@SB1", 1]])
+    assert told["bits"]["%I0.0"] == "1"
+    told = answer(session, type="run", scans=50, events=[["@SB1", 0]])
+    assert [part for part in told["plant"]["on"] if part.startswith("L")] == ["L1"]
+    told = answer(session, type="run", scans=100)
+    assert [part for part in told["plant"]["on"] if part.startswith("L")] == ["L2"]
+    assert told["found"] == []
+    assert told["forced"] == []
+
+
+def test_the_past_of_a_plant_is_looked_at_again_and_does_not_change_its_present() -> None:
+    session = planted("drilling-head")
+    answer(session, type="run", scans=2)
+    answer(session, type="run", scans=5, events=[["@SB1", 1]])
+    now = answer(session, type="run", scans=300, events=[["@SB1", 0]])["plant"]
+    then = answer(session, type="look", at=20)["plant"]
+    assert then["text"] != now["text"]
+    assert answer(session, type="look", anew=True)["plant"] == now
+
+
+def test_the_books_program_shows_its_fault_in_words_and_a_button_can_be_wired_otherwise() -> None:
+    session = planted("eight-lamps", "book")
+    answer(session, type="run", scans=2, events=[["@SB1", 1]])
+    told = answer(session, type="run", scans=1_000, events=[["@SB1", 0]])
+    (fault,) = told["found"]
+    assert fault["en"].split(":")[0].endswith(" s")
+    assert fault["zh"] != fault["en"]
+    session = planted("three-motors")
+    assert answer(session, type="run", scans=1)["bits"]["%I0.1"] == "0"
+    answer(session, type="wire", symbol="SB2", wired="NC")
+    answer(session, type="wire", symbol="<b>", wired="NC")
+    assert answer(session, type="run", scans=1)["bits"]["%I0.1"] == "1"
+
+
+def test_an_input_that_the_plant_moves_is_forced_by_hand_and_given_back() -> None:
+    session = planted("drilling-head")
+    told = answer(session, type="run", scans=1, events=[["%I0.2", 1]])
+    assert (told["forced"], told["bits"]["%I0.2"]) == (["%I0.2"], "1")
+    told = answer(session, type="run", scans=1, events=[["%I0.2", None]])
+    assert (told["forced"], told["bits"]["%I0.2"]) == ([], "0")

@@ -2,43 +2,80 @@
 
 import { h, say, svgEl } from "./ui.js";
 
-/** An empty plant. `onPress(symbol, down)` is called when a button in the drawing is pressed or let go. */
-export function makePlantView(onPress) {
+const PLANT_WORDS = {
+  wiring: { zh: "按钮怎样接线", en: "How the buttons are wired" },
+  NO: { zh: "常开触点", en: "normally open contact" },
+  NC: { zh: "常闭触点", en: "normally closed contact" },
+};
+
+/**
+ * An empty plant. `onPress(symbol, down)` is called when a button in the drawing is pressed or let go, `onWire(symbol, wired)`
+ * when one is wired otherwise.
+ */
+export function makePlantView(onPress, onWire) {
   const node = h("div", { className: "plc-plant" });
-  return { node, parts: new Map(), onPress, items: null };
+  return { node, parts: new Map(), onPress, onWire, items: null };
 }
 
-/** Draws a plant once: {svg, title}. */
+/** Draws a plant once in a language: {svg, title, story, hands, wires}. */
 export function drawPlant(view, plant, lang) {
-  const parsed = new DOMParser().parseFromString(plant.svg, "image/svg+xml").documentElement;
+  const parsed = new DOMParser().parseFromString(say(plant.svg, lang), "image/svg+xml").documentElement;
   const picture = document.importNode(parsed, true);
-  picture.setAttribute("class", "plc-rung plc-plant-picture");
+  picture.classList.add("plc-plant-picture");
   picture.setAttribute("aria-label", say(plant.title, lang));
   view.parts.clear();
   for (const part of picture.querySelectorAll("[data-part]")) {
     const known = view.parts.get(part.dataset.part) ?? [];
     known.push(part);
     view.parts.set(part.dataset.part, known);
+    if (plant.hands.includes(bareName(part.dataset.part))) listenToHand(view, part, bareName(part.dataset.part));
   }
   view.items = svgEl("g", { className: "plc-plant-items" });
   picture.append(view.items);
-  view.node.replaceChildren(picture);
+  view.node.replaceChildren(h("p", { className: "plc-plant-story" }, say(plant.story, lang)), picture, wiring(view, plant, lang));
+}
+
+/** A part's name without the sign that says when it is seen. */
+function bareName(part) {
+  return part.replace(/[+-]$/u, "");
+}
+
+/** What is drawn of a button is pressed like one. */
+function listenToHand(view, part, symbol) {
+  part.classList.add("plc-plant-hand");
+  part.addEventListener("pointerdown", (event) => (part.setPointerCapture?.(event.pointerId), view.onPress(symbol, true)));
+  for (const name of ["pointerup", "pointercancel"]) part.addEventListener(name, () => view.onPress(symbol, false));
+}
+
+/** How each button is wired, to be chosen: with a normally closed contact the input is 1 at rest. */
+function wiring(view, plant, lang) {
+  const choice = ([symbol, wired, what]) => h("label", {}, `${symbol} ${say(what, lang)} `, h(
+    "select", { onchange: (event) => view.onWire(symbol, event.target.value) },
+    ["NO", "NC"].map((one) => h("option", { value: one, selected: one === wired }, say(PLANT_WORDS[one], lang))),
+  ));
+  return h("details", { className: "plc-plant-wiring" }, h("summary", {}, say(PLANT_WORDS.wiring, lang)), plant.wires.map(choice));
 }
 
 /** Shows a state of the plant: what is on, what has moved or turned, the things that travel, and words. */
 export function showPlant(view, { on = [], move = {}, turn = {}, items = [], text = {} }, lang) {
   const lit = new Set(on);
   for (const [part, groups] of view.parts) {
-    const [x, y] = move[part] ?? [0, 0];
-    const angle = turn[part] ?? 0;
+    const name = bareName(part);
+    const seen = part.endsWith("+") ? lit.has(name) : !(part.endsWith("-") && lit.has(name)) && !part.startsWith("item:");
+    const [x, y] = move[name] ?? [0, 0];
+    const angle = turn[part] ?? turn[name] ?? 0;
     for (const group of groups) {
-      group.classList.toggle("plc-lit", lit.has(part));
+      group.style.display = seen ? "" : "none";
       group.style.transform = x || y || angle ? `translate(${x}px, ${y}px) rotate(${angle}deg)` : "";
-      const words = text[part] && group.querySelector("text");
-      if (words) words.textContent = say(text[part], lang);
+      const words = text[name] && group.querySelector("text");
+      if (words) words.textContent = say(text[name], lang);
     }
   }
-  view.items?.replaceChildren(...items.map(([kind, x, y]) => (
-    svgEl("rect", { className: `plc-plant-item plc-plant-${kind}`, x: x - 9, y: y - 14, width: 18, height: 14, rx: 2 })
-  )));
+  view.items?.replaceChildren(...items.flatMap(([kind, x, y]) => (view.parts.get(`item:${kind}`) ?? []).map((pattern) => {
+    const item = pattern.cloneNode(true);
+    item.removeAttribute("data-part");
+    item.style.display = "";
+    item.style.transform = `translate(${x}px, ${y}px)`;
+    return item;
+  })));
 }
