@@ -86,7 +86,7 @@ class Watch:
             "svg": {lang: svg(plant_scene(plant), lang, paper=False) for lang in ("zh", "en")},
             "title": plant.title.as_dict(),
             "story": plant.story.as_dict(),
-            "hands": [one.symbol for one in plant.hands],
+            "hands": {one.symbol: one.what.as_dict() | {"springs": one.momentary} for one in plant.hands},
             "wires": [
                 [one.symbol, model.wires.get(one.symbol, one.wired), one.what.as_dict()]
                 for one in plant.inputs

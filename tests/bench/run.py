@@ -382,7 +382,8 @@ def lanes() -> None:
 
 
 PRESSED = """async () => {
-  const [push, bulb] = [document.querySelector('.plc-live-push'), document.querySelector('.plc-lamp-bulb')];
+  const of = (kind, address) => [...document.querySelectorAll(kind)].find((one) => one.querySelector('.plc-address').textContent === address);
+  const [push, bulb] = [of('.plc-live-push', 'I0.7'), of('.plc-lamp', 'Q0.7').querySelector('.plc-lamp-bulb')];
   const took = [];
   for (let i = 0; i < 20; i++) {
     const wanted = bulb.textContent === '1' ? '0' : '1';
@@ -408,7 +409,7 @@ def live() -> None:
     sys.path.insert(0, str(Path(__file__).parents[1] / "browser"))
     from livepage import served
 
-    program = read("LD I0.0; = Q0.0; " + TIMED, "s7-200")
+    program = read("LD I0.7; = Q0.7; " + TIMED, "s7-200")
     with served(program) as (address, session), sync_playwright() as playwright:
         browser = playwright.chromium.launch(executable_path=shutil.which("chromium"), args=FLAGS)
         page = browser.new_page(viewport={"width": 1300, "height": 1000})

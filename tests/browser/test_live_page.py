@@ -242,3 +242,20 @@ def test_a_fault_of_the_plant_is_reported_in_words(chromium: Browser) -> None:
         said = page.locator(".plc-live-faults p").first.inner_text()
         assert said.strip() == session.watch.found()[0]["zh"]
         page.context.close()
+
+
+def test_a_switch_of_the_plant_stays_where_it_is_turned_to(chromium: Browser) -> None:
+    there = plant("reject-conveyor")
+    sample = there.reference
+    with served(read(sample.text, sample.family), Model(there.for_(sample))) as (address, session):
+        page = opened(chromium, address)
+        model = session.watch.model
+        assert model is not None
+        page.locator("[data-part='W-']").click()
+        page.wait_for_timeout(300)
+        assert model.bits["W"] is True
+        page.locator("[data-part='W+']").press("Space")
+        page.wait_for_timeout(300)
+        assert model.bits["W"] is False
+        assert axe(page, ".plc-live") == []
+        page.context.close()

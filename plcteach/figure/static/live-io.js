@@ -1,6 +1,6 @@
 // Knows the switches and lamps of a live bench: buttons that are on while they are held, latches, lamps and words.
 
-import { h, say } from "./ui.js";
+import { h, keepPointer, say } from "./ui.js";
 
 const IO_WORDS = {
   inputs: { zh: "输入", en: "Inputs" },
@@ -59,7 +59,7 @@ function listenToPush(view, address, part) {
     holdInput(view, address, true);
   };
   const up = () => holdInput(view, address, false);
-  part.push.addEventListener("pointerdown", (event) => (part.push.setPointerCapture?.(event.pointerId), down(event)));
+  part.push.addEventListener("pointerdown", (event) => (keepPointer(part.push, event), down(event)));
   for (const name of ["pointerup", "pointercancel", "blur"]) part.push.addEventListener(name, up);
   part.push.addEventListener("keydown", (event) => [" ", "Enter"].includes(event.key) && down(event));
   part.push.addEventListener("keyup", (event) => [" ", "Enter"].includes(event.key) && up());

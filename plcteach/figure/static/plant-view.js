@@ -1,6 +1,6 @@
 // Knows how to show a plant beside its program: a drawing whose parts light up, move and turn, as Python says; no motion of its own.
 
-import { h, say, svgEl } from "./ui.js";
+import { h, keepPointer, say, svgEl } from "./ui.js";
 
 const PLANT_WORDS = {
   wiring: { zh: "按钮怎样接线", en: "How the buttons are wired" },
@@ -14,7 +14,7 @@ const PLANT_WORDS = {
  */
 export function makePlantView(onPress, onWire) {
   const node = h("div", { className: "plc-plant" });
-  return { node, parts: new Map(), onPress, onWire, items: null };
+  return { node, parts: new Map(), lit: new Set(), onPress, onWire, items: null };
 }
 
 /** Draws a plant once in a language: {svg, title, story, hands, wires}. */
@@ -22,13 +22,15 @@ export function drawPlant(view, plant, lang) {
   const parsed = new DOMParser().parseFromString(say(plant.svg, lang), "image/svg+xml").documentElement;
   const picture = document.importNode(parsed, true);
   picture.classList.add("plc-plant-picture");
+  picture.setAttribute("role", "group");
   picture.setAttribute("aria-label", say(plant.title, lang));
   view.parts.clear();
   for (const part of picture.querySelectorAll("[data-part]")) {
     const known = view.parts.get(part.dataset.part) ?? [];
     known.push(part);
     view.parts.set(part.dataset.part, known);
-    if (plant.hands.includes(bareName(part.dataset.part))) listenToHand(view, part, bareName(part.dataset.part));
+    const symbol = bareName(part.dataset.part);
+    if (plant.hands[symbol]) listenToHand(view, part, symbol, plant.hands[symbol], lang);
   }
   view.items = svgEl("g", { className: "plc-plant-items" });
   picture.append(view.items);
@@ -40,11 +42,17 @@ function bareName(part) {
   return part.replace(/[+-]$/u, "");
 }
 
-/** What is drawn of a button is pressed like one. */
-function listenToHand(view, part, symbol) {
+/** What is drawn of a button is pressed like one, with the pointer or with Space; a switch stays where it is turned to. */
+function listenToHand(view, part, symbol, hand, lang) {
   part.classList.add("plc-plant-hand");
-  part.addEventListener("pointerdown", (event) => (part.setPointerCapture?.(event.pointerId), view.onPress(symbol, true)));
-  for (const name of ["pointerup", "pointercancel"]) part.addEventListener(name, () => view.onPress(symbol, false));
+  for (const [name, value] of [["role", "button"], ["tabindex", 0], ["aria-label", `${symbol} ${say(hand, lang)}`]]) part.setAttribute(name, value);
+  const down = () => view.onPress(symbol, hand.springs || !view.lit.has(symbol));
+  const up = () => hand.springs && view.onPress(symbol, false);
+  part.addEventListener("pointerdown", (event) => (keepPointer(part, event), down()));
+  for (const name of ["pointerup", "pointercancel"]) part.addEventListener(name, up);
+  const isPress = (event) => [" ", "Enter"].includes(event.key) && !event.repeat;
+  part.addEventListener("keydown", (event) => isPress(event) && (event.preventDefault(), down()));
+  part.addEventListener("keyup", (event) => isPress(event) && up());
 }
 
 /** How each button is wired, to be chosen: with a normally closed contact the input is 1 at rest. */
@@ -59,6 +67,7 @@ function wiring(view, plant, lang) {
 /** Shows a state of the plant: what is on, what has moved or turned, the things that travel, and words. */
 export function showPlant(view, { on = [], move = {}, turn = {}, items = [], text = {} }, lang) {
   const lit = new Set(on);
+  view.lit = lit;
   for (const [part, groups] of view.parts) {
     const name = bareName(part);
     const seen = part.endsWith("+") ? lit.has(name) : !(part.endsWith("-") && lit.has(name)) && !part.startsWith("item:");

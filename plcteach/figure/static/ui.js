@@ -162,6 +162,15 @@ export function recall(key, fallback) {
   }
 }
 
+/** Lets a part go on hearing a pointer that leaves it while it is down; a pointer that is gone already is no loss. */
+export function keepPointer(node, event) {
+  try {
+    node.setPointerCapture(event.pointerId);
+  } catch {
+    // the pointer is up again: its end has been heard
+  }
+}
+
 /** Whether the reader asked for no motion. */
 export function prefersReducedMotion() {
   return typeof matchMedia === "function" && matchMedia("(prefers-reduced-motion: reduce)").matches;
