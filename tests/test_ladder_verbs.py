@@ -142,13 +142,6 @@ def test_the_lines_that_set_up_blocks_go_with_the_ladder_and_come_back() -> None
     assert plc.run(drawing, "%I0.0: 4s on", "neza").edges("%Q0.0")[1][0] in {3_000, 3_010}
 
 
-def test_what_lower_writes_has_nothing_to_remark_even_with_a_copied_level() -> None:
-    listed = plc.lower("I0.0 · (NOT + I0.1) -> Q0.0")
-    assert "LDS 1" in listed
-    assert plc.lint(listed) == ()
-    assert [one.code for one in plc.lint("LD I0.0; LD I0.1; LD I0.2; LDS 3; = Q0.0")] != []
-
-
 def test_a_translation_and_a_listing_are_programs_and_know_their_family() -> None:
     made = plc.translate("LD I0.0; O Q0.0; = Q0.0", "fx")
     assert plc.run(made, [{"X0": 1}, {"X0": 0}])["Y0"] == "11"

@@ -216,7 +216,7 @@ def _pins(box: Box, names: tuple[str, ...]) -> Text:
     given = [one for one in (box.entry, *(name for name, _ in box.pins)) if one]
     shown = f"{{{names[0]}: {box.text} }} {' '.join(f'{{{name}: }}' for name in names[1:])}" if names else box.text
     return Text(
-        f"{box.text}的输入是{'、'.join(names)}，每个一行：{shown}；图里写的是{'、'.join(given) or '没有名字的输入'}",
-        f"{box.text} has the inputs {', '.join(names)}, a row each: {shown}; the drawing has "
+        f"{box.text}的输入是{'、'.join(names)}，各一次，一行一个：{shown}；图里写的是{'、'.join(given) or '没有名字的输入'}",
+        f"{box.text} has the inputs {', '.join(names)}, each once, a row each: {shown}; the drawing has "
         f"{', '.join(given) or 'an input without a name'}",
     )

@@ -105,8 +105,6 @@ def _move(dialect: Dialect, line: Line, before: Cells) -> Move:
     lost = tuple(place for place in moves.lost if before[place[0]][place[1]].live)
     dropped = tuple(place for place in moves.dropped if before[place[0]][place[1]].live)
     used = {moves.named[name] for name in _read_by_verbs(line) if name in moves.named}
-    if role == "copy":
-        used |= {place for origin in moves.after[0] if origin.how == "copied" for place in origin.sources}
     after = tuple(
         tuple(
             _cell(origin, before, Cell(line, line.insn.powers, role == "push", origin.tag), (number, place), used)

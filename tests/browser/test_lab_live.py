@@ -62,7 +62,7 @@ def lamps(chromium: Browser, lab: tuple[str, Path]) -> Iterator[Page]:
     notebook(folder, "lamps.ipynb", f"one = plc.live({LAMPS!r}, 'neza')\none", BENCH)
     page = open_notebook(chromium, address, "lamps.ipynb", viewport={"width": 1400, "height": 1400})
     run_all(page)
-    page.wait_for_selector(".plc-live .plc-status-value[data-value]", timeout=60_000)
+    page.wait_for_selector(".plc-livebench .plc-status-value[data-value]", timeout=60_000)
     page.wait_for_selector(".plc-work", timeout=60_000)
     yield page
     page.close()
@@ -70,7 +70,7 @@ def lamps(chromium: Browser, lab: tuple[str, Path]) -> Iterator[Page]:
 
 def on(page: Page) -> list[str]:
     found: list[str] = page.evaluate(
-        """() => [...document.querySelectorAll('.plc-live .plc-lamp')].filter((one) => one.querySelector('[data-value="1"]'))
+        """() => [...document.querySelectorAll('.plc-livebench .plc-lamp')].filter((one) => one.querySelector('[data-value="1"]'))
           .map((one) => one.querySelector('.plc-address').textContent).filter((name) => name.startsWith('%Q') || name.startsWith('Q'))"""
     )
     return found
@@ -89,7 +89,7 @@ def hold(page: Page, selector: str, ms: int = 200) -> None:
 def test_the_eight_lamps_run_freeze_step_go_on_stop_and_are_looked_back_at(lamps: Page) -> None:
     lamps.locator(".plc-live-run").first.click()
     hold(lamps, ".plc-live-push >> nth=0")
-    lamps.wait_for_function("() => document.querySelector('.plc-live .plc-lamp-bulb[data-value=\"1\"]')")
+    lamps.wait_for_function("() => document.querySelector('.plc-livebench .plc-lamp-bulb[data-value=\"1\"]')")
     seen: list[str] = []
     for _ in range(16):
         lamps.wait_for_timeout(200)
@@ -105,28 +105,28 @@ def test_the_eight_lamps_run_freeze_step_go_on_stop_and_are_looked_back_at(lamps
     lamps.locator(".plc-live-freeze").first.click()
     lamps.wait_for_timeout(300)
     hold(lamps, ".plc-live-push >> nth=1")
-    lamps.wait_for_function("() => !document.querySelector('.plc-live .plc-lamp-bulb[data-value=\"1\"]')")
+    lamps.wait_for_function("() => !document.querySelector('.plc-livebench .plc-lamp-bulb[data-value=\"1\"]')")
     lamps.locator(".plc-live-run").first.click()
     lamps.wait_for_timeout(300)
-    slider = lamps.locator(".plc-live .plc-seek input").first
+    slider = lamps.locator(".plc-livebench .plc-seek input").first
     last = int(slider.get_attribute("max") or 0)
     slider.evaluate("(one) => { one.value = 5; one.dispatchEvent(new Event('input', {bubbles: true})); }")
-    lamps.wait_for_function("() => document.querySelector('.plc-live .plc-count').textContent.includes('scan 6')")
+    lamps.wait_for_function("() => document.querySelector('.plc-livebench .plc-count').textContent.includes('scan 6')")
     assert on(lamps) == []
     assert last > 200
-    assert axe(lamps, ".plc-live") == []
+    assert axe(lamps, ".plc-livebench") == []
 
 
 def test_the_workbench_goes_live_and_back_and_the_other_bench_is_not_disturbed(lamps: Page) -> None:
     work = ".plc-bench "
     lamps.locator(work + ".plc-live-choose-live").click()
-    lamps.wait_for_selector(work + ".plc-live .plc-status-value[data-value]", timeout=10_000)
+    lamps.wait_for_selector(work + ".plc-livebench .plc-status-value[data-value]", timeout=10_000)
     assert not lamps.locator(work + ".plc-film").is_visible()
     lamps.locator(work + ".plc-live-run").click()
     hold(lamps, work + ".plc-live-push >> nth=0")
     lamps.wait_for_selector(work + ".plc-lamp-bulb[data-value='1']")
-    others = lamps.locator(".plc-live").first
+    others = lamps.locator(".plc-livebench").first
     assert others.locator(".plc-lamp-bulb[data-value='1']").count() == 0
     lamps.locator(work + ".plc-live-choose-step").click()
     lamps.wait_for_selector(work + ".plc-film .plc-player", timeout=10_000)
-    lamps.wait_for_selector(work + ".plc-live", state="detached", timeout=10_000)
+    lamps.wait_for_selector(work + ".plc-livebench", state="detached", timeout=10_000)

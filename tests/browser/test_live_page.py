@@ -194,7 +194,7 @@ def test_the_bench_is_accessible_and_never_wider_than_the_window(chromium: Brows
         until(page, "Q0.0", "1")
         page.locator(".plc-live-run").click()
         page.wait_for_timeout(200)
-        assert axe(page, ".plc-live") == []
+        assert axe(page, ".plc-livebench") == []
         assert page.evaluate("document.documentElement.scrollWidth") <= width
         page.context.close()
 
@@ -223,7 +223,7 @@ def test_the_drilling_head_runs_its_whole_cycle_and_comes_home(chromium: Browser
         assert seen[-1] <= HOME, "it is home again"
         assert session.watch.found() == []
         assert page.locator(".plc-live-faults p").count() == 0
-        assert axe(page, ".plc-live") == []
+        assert axe(page, ".plc-livebench") == []
         page.context.close()
 
 
@@ -257,5 +257,5 @@ def test_a_switch_of_the_plant_stays_where_it_is_turned_to(chromium: Browser) ->
         page.locator("[data-part='W+']").press("Space")
         page.wait_for_timeout(300)
         assert model.bits["W"] is False
-        assert axe(page, ".plc-live") == []
+        assert axe(page, ".plc-livebench") == []
         page.context.close()

@@ -345,7 +345,7 @@ WRONG = [
     ("s7-200", Box("LPS"), "is no output"),
     ("s7-200", Box("EU"), "is no output"),
     ("s7-200", Box("LBL 1"), "takes no flow"),
-    ("s7-200", Box("CTU C0, 3"), "CU, R, each once, and the drawing has"),
+    ("s7-200", Box("CTU C0, 3"), "CU, R, each once, a row each"),
     ("s7-200", Box("CTU C0, 3", (("RST", Contact("I0.1")),), "CU"), "CU, R, each once"),
     ("s7-200", Box("CTU C0, 3", (("R", Contact("I0.1")), ("R", Contact("I0.2"))), "CU"), "CU, R, each once"),
     ("s7-200", Box("SR I0.0", (("R", Contact("I0.1")),), "S1"), "is an input"),

@@ -67,7 +67,7 @@ function makeBench(cast, send, lang) {
   bench.stage = h("div", { className: "plc-live-stage", hidden: true });
   bench.panels = {};
   bench.body = h("div", { className: "plc-live-body" });
-  bench.figure = h("div", { className: "plc-player plc-live", role: "group", tabindex: -1 },
+  bench.figure = h("div", { className: "plc-player plc-livebench", role: "group", tabindex: -1 },
     bench.bar, bench.note, bench.faults, h("div", { className: "plc-live-io" }, bench.inputs.node, bench.lamps.node, bench.words.node), bench.stage, bench.body);
   return bench;
 }
