@@ -92,6 +92,11 @@ class Watch:
                 for one in plant.inputs
                 if one.role == "hand"
             ],
+            "ways": [
+                [one.symbol, model.ways.get(one.symbol, one.way), one.what.as_dict()]
+                for one in plant.inputs
+                if one.along
+            ],
         }
 
     def plant(self, scan: int) -> dict[str, Any]:

@@ -40,7 +40,7 @@ class Session:
                 self.live.reset(memory)
                 self.watch.forget()
             case "wire" if self.watch.model:
-                self.wire(str(asked.get("symbol")), str(asked.get("wired")))
+                self.wire(str(asked.get("symbol")), str(asked.get("how")))
             case "film":
                 return {
                     "type": "film",
@@ -74,11 +74,14 @@ class Session:
         else:
             self.live.press(address, int(bool(value)))
 
-    def wire(self, symbol: str, wired: str) -> None:
-        """Connect a button to its other contact; what the plant does not have is passed over."""
+    def wire(self, symbol: str, how: str) -> None:
+        """Connect a button to its other contact, or fit another limit switch; what the plant does not have is passed over."""
         model = self.watch.model
-        if model and symbol in {one.symbol for one in model.plant.inputs} and wired in {"NO", "NC"}:
-            model.wire(symbol, "NC" if wired == "NC" else "NO")
+        device = {one.symbol: one for one in model.plant.inputs}.get(symbol) if model else None
+        if model and device and how in {"NO", "NC"}:
+            model.wire(symbol, "NC" if how == "NC" else "NO")
+        elif model and device and device.along and how in {"both", "up", "down"}:
+            model.way(symbol, "up" if how == "up" else "down" if how == "down" else "both")
 
     def number(self, asked: dict[str, Any]) -> int:
         """Give the scan that is asked for: the last where none is named."""

@@ -164,8 +164,8 @@ def test_the_books_program_shows_its_fault_in_words_and_a_button_can_be_wired_ot
     assert fault["zh"] != fault["en"]
     session = planted("three-motors")
     assert answer(session, type="run", scans=1)["bits"]["%I0.1"] == "0"
-    answer(session, type="wire", symbol="SB2", wired="NC")
-    answer(session, type="wire", symbol="<b>", wired="NC")
+    answer(session, type="wire", symbol="SB2", how="NC")
+    answer(session, type="wire", symbol="<b>", how="NC")
     assert answer(session, type="run", scans=1)["bits"]["%I0.1"] == "1"
 
 
@@ -175,3 +175,14 @@ def test_an_input_that_the_plant_moves_is_forced_by_hand_and_given_back() -> Non
     assert (told["forced"], told["bits"]["%I0.2"]) == (["%I0.2"], "1")
     told = answer(session, type="run", scans=1, events=[["%I0.2", None]])
     assert (told["forced"], told["bits"]["%I0.2"]) == ([], "0")
+
+
+def test_a_limit_switch_can_be_fitted_to_act_one_way_only() -> None:
+    session = planted("drilling-head")
+    model = session.watch.model
+    assert model is not None
+    assert [row[0] for row in session.watch.cast()["plant"]["ways"]][:1] == ["SQ1"]
+    answer(session, type="wire", symbol="SQ2", how="up")
+    answer(session, type="wire", symbol="SB1", how="up")
+    assert model.ways["SQ2"] == "up"
+    assert session.watch.cast()["plant"]["ways"][1][:2] == ["SQ2", "up"]

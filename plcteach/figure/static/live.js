@@ -60,7 +60,7 @@ function makeBench(cast, send, lang) {
   bench.shelf = h("div", {});
   bench.blocks = mountBlocks(bench.shelf, lang);
   bench.chart = makeLiveChart((ms) => lookAt(bench, ms));
-  bench.plant = makePlantView((symbol, down) => pressSymbol(bench, symbol, down), (symbol, wired) => ask(bench, { type: "wire", symbol, wired }));
+  bench.plant = makePlantView((symbol, down) => pressSymbol(bench, symbol, down), (symbol, how) => ask(bench, { type: "wire", symbol, how }));
   bench.bar = h("div", { className: "plc-transport" });
   bench.note = h("p", { className: "plc-live-note", role: "status" });
   bench.faults = h("div", { className: "plc-live-faults", role: "alert" });

@@ -3,9 +3,12 @@
 import { h, keepPointer, say, svgEl } from "./ui.js";
 
 const PLANT_WORDS = {
-  wiring: { zh: "按钮怎样接线", en: "How the buttons are wired" },
+  wiring: { zh: "按钮和行程开关怎样接", en: "How buttons and limit switches are connected" },
   NO: { zh: "常开触点", en: "normally open contact" },
   NC: { zh: "常闭触点", en: "normally closed contact" },
+  both: { zh: "两个方向都动作", en: "acts both ways" },
+  up: { zh: "只在前进时动作", en: "acts only going forward" },
+  down: { zh: "只在退回时动作", en: "acts only coming back" },
 };
 
 /**
@@ -55,13 +58,14 @@ function listenToHand(view, part, symbol, hand, lang) {
   part.addEventListener("keyup", (event) => isPress(event) && up());
 }
 
-/** How each button is wired, to be chosen: with a normally closed contact the input is 1 at rest. */
+/** How each button is wired and which way a limit switch acts, to be chosen: a normally closed contact gives 1 at rest. */
 function wiring(view, plant, lang) {
-  const choice = ([symbol, wired, what]) => h("label", {}, `${symbol} ${say(what, lang)} `, h(
+  const choice = (ways) => ([symbol, now, what]) => h("label", {}, `${symbol} ${say(what, lang)} `, h(
     "select", { onchange: (event) => view.onWire(symbol, event.target.value) },
-    ["NO", "NC"].map((one) => h("option", { value: one, selected: one === wired }, say(PLANT_WORDS[one], lang))),
+    ways.map((one) => h("option", { value: one, selected: one === now }, say(PLANT_WORDS[one], lang))),
   ));
-  return h("details", { className: "plc-plant-wiring" }, h("summary", {}, say(PLANT_WORDS.wiring, lang)), plant.wires.map(choice));
+  return h("details", { className: "plc-plant-wiring" }, h("summary", {}, say(PLANT_WORDS.wiring, lang)),
+    plant.wires.map(choice(["NO", "NC"])), plant.ways.map(choice(["both", "up", "down"])));
 }
 
 /** Shows a state of the plant: what is on, what has moved or turned, the things that travel, and words. */
