@@ -179,6 +179,11 @@ class Program:
 
     def addresses(self, role: str) -> tuple[Address, ...]:
         """Give the bits of one role ("input", "output", "memory") that the program or its configuration names, in order of index."""
+        return tuple(one for one in self._named if self.dialect.area(one).role == role)
+
+    @cached_property
+    def _named(self) -> tuple[Address, ...]:
+        """Every bit that the program or its configuration names, in order of area and index."""
         touched = [arg for line in self.lines for arg in _touched(self.dialect, line)]
         listed = [
             word
@@ -191,8 +196,7 @@ class Program:
             place for word in listed if isinstance(place := self.dialect.address(word), Address) and place.size == 1
         ]
         found = {one for arg in touched for one in self.dialect.bits_of(arg)}
-        mine = (address for address in found if self.dialect.area(address).role == role)
-        return tuple(sorted(mine, key=lambda address: (address.area, address.index, address.text)))
+        return tuple(sorted(found, key=lambda address: (address.area, address.index, address.text)))
 
     def words(self) -> tuple[Address, ...]:
         """Give the words that the program names, and the blocks, in order of area and index."""

@@ -45,11 +45,15 @@ class Watch:
     sent: dict[str, Any] = field(default_factory=dict)
     charted: int = -1
     drawn: dict[str, Any] = field(default_factory=dict)
+    rows: tuple[Address, ...] = field(init=False)
+    numbers: tuple[Address, ...] = field(init=False)
 
     def __post_init__(self) -> None:
         """Lift the program and find its blocks."""
         self.growth = Growth(self.program, self.style)
         self.blocks = Blocks(self.program)
+        self.numbers = self.words()
+        self.rows = self.charts()
 
     @property
     def program(self) -> Program:
@@ -69,7 +73,7 @@ class Watch:
             "inputs": [self.named(one) for one in self.program.addresses("input")],
             "lamps": [self.named(one) for one in (*self.program.addresses("output"), *self.written())],
             "words": [self.named(one) for one in self.words()],
-            "rows": [[one.text, int(one.size > 1)] for one in self.charts()],
+            "rows": [[one.text, int(one.size > 1)] for one in self.rows],
             "ms": self.live.scan_ms,
             **({"plant": self.planted(self.model)} if self.model else {}),
         }
@@ -145,8 +149,8 @@ class Watch:
         return {
             "lines": [values.get(number, []) for number in range(len(self.program.lines))],
             "lit": lit,
-            "bits": {one.text: repr(plant.bit(one)) for one in self.charts() if one.size == 1},
-            "words": {one.text: _number(plant.word(one)) for one in self.words()},
+            "bits": {one.text: repr(plant.bit(one)) for one in self.rows if one.size == 1},
+            "words": {one.text: _number(plant.word(one)) for one in self.numbers},
             "faces": {face.address: face.as_dict() for face in self.blocks.faces(plant)},
         }
 
@@ -178,7 +182,7 @@ class Watch:
         trace = self.live.recorder
         since, self.charted = self.charted, self.live.scans - 1
         found: dict[str, list[list[Any]]] = {}
-        for one in self.charts():
+        for one in self.rows:
             new = []
             when, values = trace.changes.get(one.text, ((), ()))
             for at in range(len(when) - 1, -1, -1):

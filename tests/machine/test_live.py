@@ -111,6 +111,9 @@ class Carriage:
     def reset(self) -> None:
         self.x = 0
 
+    def moment(self) -> int:
+        return self.x
+
 
 def test_the_plant_closes_the_loop_and_a_hand_goes_before_it() -> None:
     live = Live(SEAL_IN, Carriage())

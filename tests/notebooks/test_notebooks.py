@@ -82,6 +82,9 @@ TERMS = {
     ),
     "11-from-ladder-to-list-and-back.ipynb": "梯形图 常开触点 常闭触点 能流 逻辑入栈 装载堆栈",
     "12-four-families-side-by-side.ipynb": "运算结果寄存器 布尔累加器 电路块并联 电路块串联",
+    "13-finding-the-fault.ipynb": (
+        "自锁 状态监视 强制 双线圈输出 运算结果寄存器 电路块串联 电路块并联 栈内残留值 移位寄存器 上升沿"
+    ),
 }
 NEVER = {
     "zh": re.compile(r"堆(?!栈)|(?<!入)(?<!出)(?<!读)(?<!进)接点|映象|非法|无效|断路触点|S0层|第0层"),

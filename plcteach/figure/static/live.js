@@ -14,6 +14,7 @@ import { MOST_MS, freshNews, takeBatch, timeWords, trimTracks } from "./live-sha
 const FOLDS = ["plant", "ladder", "list", "blocks", "chart"];
 const HISTORY_MS = 600000;
 const LATE_MS = 3000;
+const IN_FLIGHT = 2;
 
 /**
  * Puts a live bench into `root`. `send(message)` reaches the kernel, which answers through `take(message)`.
@@ -49,7 +50,7 @@ export function mountLive(root, { cast, send, lang, size = 1, compact = false })
 /** The parts of a bench and what it knows. */
 function makeBench(cast, send, lang) {
   const bench = {
-    cast, send, lang, news: freshNews(), running: false, waiting: false, asked: 0, last: 0, debt: 0, at: null, queue: [],
+    cast, send, lang, news: freshNews(), running: false, asked: 0, answered: 0, last: 0, debt: 0, at: null, queue: [],
     pace: recall("live-pace", 1), levels: recall("live-levels", 1), folds: recall("live-folds", {}), frame: 0, player: null, patience: null,
   };
   bench.inputs = makeInputs((address, value) => press(bench, address, value), (address) => free(bench, address));
@@ -129,7 +130,6 @@ function actsOfBench(bench) {
 /** Asks for something; the note says so when no answer comes. */
 function ask(bench, message) {
   bench.asked += 1;
-  bench.waiting = true;
   clearTimeout(bench.patience);
   bench.patience = setTimeout(() => (bench.note.textContent = liveWord("late", bench.lang)), LATE_MS);
   const events = bench.queue.splice(0);
@@ -140,8 +140,9 @@ function ask(bench, message) {
   }
 }
 
-/** Takes an answer: only the last one asked for is waited for, but nothing that was told is lost. */
+/** Takes an answer; they come in the order of the requests. */
 function takeAnswer(bench, message) {
+  bench.answered = Math.max(bench.answered, message.id ?? 0);
   if (message.type === "film") return showFilmOf(bench, message.film);
   if (message.type === "timeline") return saveTimeline(message.text, message.name);
   if (message.type !== "batch") return;
@@ -149,15 +150,14 @@ function takeAnswer(bench, message) {
   bench.note.textContent = "";
   bench.news = takeBatch(bench.news, message);
   trimTracks(bench.news.tracks, bench.news.end - HISTORY_MS);
-  if (message.id >= bench.asked) bench.waiting = false;
   redraw(bench);
 }
 
-/** Runs on: with each frame of the page one request, never a second before the answer to the first. */
+/** Runs on: with each frame of the page one request, and never more than a few without an answer. */
 function tick(bench, now) {
   if (!bench.running) return;
   bench.frame = requestAnimationFrame((later) => tick(bench, later));
-  if (bench.waiting) return;
+  if (bench.asked - bench.answered >= IN_FLIGHT) return;
   bench.debt = Math.min(MOST_MS, bench.debt + (now - bench.last) * bench.pace);
   bench.last = now;
   const scans = Math.floor(bench.debt / bench.cast.ms);
@@ -169,7 +169,7 @@ function tick(bench, now) {
 /** Starts to run, from the present. */
 function start(bench) {
   thaw(bench);
-  Object.assign(bench, { running: true, at: null, last: performance.now(), debt: 0 });
+  Object.assign(bench, { running: true, at: null, answered: bench.asked, last: performance.now(), debt: 0 });
   showRunning(bench);
   bench.frame = requestAnimationFrame((now) => tick(bench, now));
 }
@@ -238,7 +238,6 @@ function freeze(bench) {
 
 /** Shows a frozen scan in the player. */
 function showFilmOf(bench, film) {
-  bench.waiting = false;
   clearTimeout(bench.patience);
   bench.stage.hidden = false;
   bench.figure.classList.add("plc-live-frozen");
