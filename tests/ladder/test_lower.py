@@ -22,8 +22,6 @@ from plcteach.machine import ONE, ZERO, Column, Domain, Memory, run, sweep
 sys.path.insert(0, str(Path(__file__).parent))
 from random_ladders import FAMILIES, INPUTS, WORDS, Plain, bits, enriched, ladders, rungs
 
-pytestmark = pytest.mark.no_cover  # many programs: measured lines would take most of the time
-
 CASES = 1 << INPUTS
 ALL = (1 << CASES) - 1
 SCANS = ((1, 0), (5, 3), (11, 6))
@@ -67,6 +65,7 @@ def agrees(ladder: Ladder, family: str, **how: bool) -> None:
             assert memory.bits.get(name, domain.zero) == column([one.get(name, False) for one in after]), text
 
 
+@pytest.mark.no_cover
 @pytest.mark.parametrize("family", FAMILIES)
 @settings(max_examples=350, deadline=None)
 @given(data=st.data())
@@ -74,6 +73,7 @@ def test_the_list_does_what_the_ladder_means(family: str, data: st.DataObject) -
     agrees(data.draw(ladders(family)), family)
 
 
+@pytest.mark.no_cover
 @pytest.mark.parametrize("family", ["s7-200", "fx", "neza"])
 @settings(max_examples=150, deadline=None)
 @given(data=st.data())
@@ -81,6 +81,7 @@ def test_edges_of_contacts_and_not_on_the_wire(family: str, data: st.DataObject)
     agrees(data.draw(ladders(family, edges=True, turned=True)), family)
 
 
+@pytest.mark.no_cover
 @pytest.mark.parametrize("how", [{}, {"grouped": True}, {"fused": False}])
 @pytest.mark.parametrize("family", FAMILIES)
 @settings(max_examples=90, deadline=None)
@@ -108,6 +109,7 @@ def test_many_scans_with_edges_pulses_comparisons_and_not_in_parallel(
             assert repr(scan[name]) == str(int(after.get(name, False))), text
 
 
+@pytest.mark.no_cover
 @pytest.mark.parametrize("how", [{"grouped": True}, {"fused": False}, {"grouped": True, "fused": False}])
 @pytest.mark.parametrize("family", FAMILIES)
 @settings(max_examples=60, deadline=None)

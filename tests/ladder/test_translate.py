@@ -30,7 +30,6 @@ from random_ladders import FAMILIES, bits, enriched, ladders
 if TYPE_CHECKING:
     from plcteach.core.program import Program
 
-pytestmark = pytest.mark.no_cover
 
 PAIRS = list(permutations(FAMILIES, 2))
 
@@ -52,6 +51,7 @@ def runs(one: Program, scans: list[dict[str, int]], names: list[str]) -> list[li
     return [[repr(scan[name]) for name in names] for scan in trace.scans]
 
 
+@pytest.mark.no_cover
 @pytest.mark.parametrize(("family", "to"), PAIRS)
 @settings(max_examples=60, deadline=None)
 @given(data=st.data())
