@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from plcteach.check.report import summary
 from plcteach.core.diagnostic import errors
-from plcteach.core.source import rows_of
+from plcteach.core.source import printable, rows_of
 from plcteach.core.text import Text, language
 
 if TYPE_CHECKING:
@@ -113,7 +113,7 @@ def print_findings(found: Sequence[Diagnostic], source: Program | str) -> None:
         severity = _SEVERITIES[one.severity].in_(lang)
         print(f"{one.span.row}:{one.span.start + 1}: {severity} {one.code}: {one.text.in_(lang)}")
         if 0 < one.span.row <= len(rows):
-            row = "".join(sign if sign.isprintable() else " " for sign in rows[one.span.row - 1][:200])
+            row = printable(rows[one.span.row - 1][:200])
             print(f"    {row}")
             print(
                 "    " + " " * _width(row[: one.span.start]) + "^" * max(1, _width(row[one.span.start : one.span.stop]))

@@ -22,6 +22,7 @@ if TYPE_CHECKING:
 EdgeKind = Literal["", "rise", "fall"]
 CoilKind = Literal["", "set", "reset", "not", "rise", "fall"]
 Relation = Literal["=", "<>", ">=", "<=", ">", "<"]
+OPPOSITE: dict[Relation, Relation] = {"=": "<>", "<>": "=", ">": "<=", "<=": ">", "<": ">=", ">=": "<"}
 Size = Literal["", "B", "D", "R"]
 """How wide the words of a comparison are: a word of 16 bits, a byte, a double word, or a real."""
 
@@ -233,7 +234,7 @@ class Rung:
     @property
     def symbols(self) -> tuple[Symbol, ...]:
         """Every contact, NOT, edge, coil and box, in the order in which the rung is executed; a box after its inputs."""
-        return tuple(_symbols(self))
+        return tuple(symbols_of(self))
 
 
 @dataclass(frozen=True, slots=True)
@@ -248,9 +249,14 @@ class Ladder:
         return f"Ladder({len(self.rungs)} rungs{f', {self.title!r}' if self.title else ''})"
 
 
+def in_series(node: Node) -> tuple[Node, ...]:
+    """Give the parts of a series; any other node is its own only part."""
+    return node.parts if isinstance(node, Series) else (node,)
+
+
 def series(*parts: Node) -> Node:
     """Put parts one after the other: a series within a series becomes one, and a single part is itself."""
-    flat = tuple(one for part in parts for one in (part.parts if isinstance(part, Series) else (part,)))
+    flat = tuple(one for part in parts for one in in_series(part))
     return flat[0] if len(flat) == 1 else Series(flat)
 
 
@@ -297,7 +303,8 @@ def _inside(part: _Part) -> tuple[_Part, ...]:
     return ()
 
 
-def _symbols(top: Rung) -> Iterator[Symbol]:
+def symbols_of(top: Node | Out | Rung) -> Iterator[Symbol]:
+    """Give every symbol of a part in the order of execution, without recursion; a box after its inputs."""
     waiting: list[tuple[_Part, bool]] = [(top, False)]
     while waiting:
         one, seen = waiting.pop()

@@ -29,6 +29,11 @@ def rows_of(text: str) -> list[str]:
     return _ROW_ENDS.split(text)
 
 
+def printable(text: str) -> str:
+    """Put a blank for every sign that a terminal would obey, sign for sign, so that columns stay."""
+    return "".join(sign if sign.isprintable() else " " for sign in text)
+
+
 _FULL_WIDTH = {code: code - 0xFEE0 for code in range(0xFF01, 0xFF5F)}
 _MARKS: dict[str, str] = {
     "　": " ",

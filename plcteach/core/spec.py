@@ -200,6 +200,14 @@ class Dialect:
         """The bits that the system drives and that change from scan to scan for ever."""
         return tuple(address for address, what in self.specials.items() if what.isdigit() or what == "turns")
 
+    def special(self, meaning: str) -> str:
+        """Give the first bit that the system drives so ("on", "first"); "" where there is none."""
+        return next((bit for bit, what in self.specials.items() if what == meaning), "")
+
+    def head(self, number: int) -> str:
+        """Give the heading of a network, counted from 0, without its title: "Network 1"."""
+        return f"{self.heading} {number + self.first_heading}"
+
     def example(self, mnemonic: str) -> str:
         """Give the first example that uses an instruction."""
         word, _, area = mnemonic.partition(" ")

@@ -63,7 +63,7 @@ def _heading(program: Program, number: int) -> str:
         return network.block if first else ""
     if network.block:
         return f"{network.block}: {network.title}" if network.title else network.block
-    head = f"{program.dialect.heading} {number + program.dialect.first_heading}"
+    head = program.dialect.head(number)
     return f"{head}: {network.title}" if network.title else head
 
 

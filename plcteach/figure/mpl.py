@@ -13,6 +13,7 @@ from functools import lru_cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from plcteach.core.source import printable
 from plcteach.figure.ink import INKS, hue
 from plcteach.figure.scene import Box, Disc, Scene, Stroke, Words
 
@@ -170,7 +171,7 @@ class _Pen:
             self.axes.add_patch(Rectangle(corner, shape.width, shape.height, **look))
 
     def words(self, shape: Words) -> None:
-        text = "".join(sign if sign.isprintable() else " " for sign in shape.text.in_(self.lang))
+        text = printable(shape.text.in_(self.lang))
         if not text:
             return
         family = ["DejaVu Sans Mono" if shape.code else "DejaVu Sans", *filter(None, [chinese_font()])]

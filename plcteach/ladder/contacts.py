@@ -10,9 +10,20 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from plcteach.core.insn import REGISTERS
-from plcteach.core.ladder import Compared, Contact, Edge, Invert, Parallel, Series, parallel, series
+from plcteach.core.ladder import (
+    Compared,
+    Contact,
+    Edge,
+    Invert,
+    Parallel,
+    Series,
+    in_series,
+    parallel,
+    series,
+    symbols_of,
+)
 from plcteach.core.text import NOTHING, Text
-from plcteach.ladder.instructions import closer, contact_word, edge_word
+from plcteach.ladder.instructions import closer, comparing, contact_word, edge_word
 from plcteach.ladder.sheet import Sheet
 
 if TYPE_CHECKING:
@@ -81,17 +92,7 @@ def _register(node: Node) -> bool:
 
 def _remembers(nodes: tuple[Node, ...]) -> bool:
     """Say whether an edge with a bit of its own is among some nodes: written twice it would see itself."""
-    waiting = [*nodes]
-    while waiting:
-        one = waiting.pop()
-        if isinstance(one, Edge) and one.memory:
-            return True
-        waiting += one.parts if isinstance(one, Series | Parallel) else ()
-    return False
-
-
-def _parts(node: Node) -> tuple[Node, ...]:
-    return node.parts if isinstance(node, Series) else (node,)
+    return any(isinstance(one, Edge) and one.memory for node in nodes for one in symbols_of(node))
 
 
 class Contacts(Sheet):
@@ -218,21 +219,20 @@ class Contacts(Sheet):
         if not copies and not (beside and not self.insn("load").effect.clauses[0].takes):
             self.refuse(_NOT_THERE)
         self.emit(push, reason=REASONS["keep"])
-        self.onward(_parts(node.parts[0]), "join_series", at_rail=True)
+        self.onward(in_series(node.parts[0]), "join_series", at_rail=True)
         for path in node.parts[1:]:
             if copies:
                 self.emit(self.insn("copy"), 1, reason=REASONS["copy"])
             else:
                 self.emit(self.insn("load"), self.always(), reason=REASONS["room"])
                 self.emit(self.insn("pop" if path is node.parts[-1] else "read"), reason=REASONS["copy"])
-            self.onward(_parts(path), "join_series", at_rail=True)
+            self.onward(in_series(path), "join_series", at_rail=True)
             self.join("join_parallel", 1)
         self.residue += copies
 
     def always(self) -> Address:
         """Give the bit that is always on."""
-        found = next((word for word, what in self.dialect.specials.items() if what == "on"), "")
-        return self.address(found, self.insn("load"))
+        return self.address(self.dialect.special("on"), self.insn("load"))
 
     # contacts
 
@@ -264,9 +264,7 @@ class Contacts(Sheet):
         if isinstance(contact, Contact):
             return self.address(contact.address, insn)
         load = contact_word(self.dialect, "load", contact) or insn
-        relation = load.operands[0].relation
-        words = load.separator.join((contact.left, contact.right)) if relation else f"[{contact.text}]"
-        lines = self.read(f"{load.mnemonic} {words}")
+        lines = self.read(comparing(load, contact))
         if len(lines) > 1 or lines[0].insn is not load:
             self.refuse(Text(f"“{contact.text}”不是一个比较", f'"{contact.text}" is not one comparison'))
         return lines[0].args[0]

@@ -13,7 +13,7 @@ from plcteach.core.area import Address
 from plcteach.core.insn import REGISTERS
 from plcteach.core.ladder import Box, Coil, Compared, Contact, Edge, Parallel, Series, parallel, series
 from plcteach.core.text import Text
-from plcteach.ladder.instructions import coil_word, contact_word
+from plcteach.ladder.instructions import coil_word, comparing, contact_word
 from plcteach.ladder.places import lacking, none
 from plcteach.stl.reader import read
 
@@ -104,9 +104,7 @@ class Crossing:
         load = contact_word(self.source, "load", one)
         if load is None:
             none(f"[{one.text}]读不成比较", f"[{one.text}] does not read as a comparison")
-        relation = load.operands[0].relation
-        words = load.separator.join((one.left, one.right)) if relation else f"[{one.text}]"
-        pair = read(f"{load.mnemonic} {words}", self.source).lines[0].args[0]
+        pair = read(comparing(load, one), self.source).lines[0].args[0]
         left, right = (self.word(source) for source in (pair.left, pair.right))  # type: ignore[union-attr]
         found = Compared(left, one.relation, right, one.size)
         if contact_word(self.target, "load", found) is None:

@@ -22,9 +22,11 @@ from plcteach.core.ladder import (
     Rung,
     Series,
     branch,
+    in_series,
     parallel,
     rung,
     series,
+    symbols_of,
 )
 from plcteach.ladder.instructions import coil_word, contact_word, edge_word
 from plcteach.ladder.places import none
@@ -139,7 +141,7 @@ class Edges:
 
     def hung(self, path: Branch, *, at_rail: bool) -> list[Out]:
         """Give what an output path becomes where it hangs; `at_rail`: it is a whole rung and hangs on the rail."""
-        parts: list[Node] = [*_parts(path.stem)]
+        parts: list[Node] = [*in_series(path.stem)]
         at = 0
         while at < len(parts):
             part, rest = parts[at], tuple(parts[at + 1 :])
@@ -174,7 +176,7 @@ class Edges:
         if isinstance(node, Parallel):
             paths = [self.inside(part) for part in node.parts]
             return None if None in paths else parallel(*(one for one in paths if one))
-        parts: list[Node] = [*_parts(node)]
+        parts: list[Node] = [*in_series(node)]
         for at, part in enumerate(parts):
             done = self.native(part, ()) if isinstance(part, Edge) else None
             whole = series(*done) if done else self.inside(part) if isinstance(part, Parallel) else part
@@ -188,7 +190,7 @@ class Edges:
         memory = edge.memory or self.places.fresh()
         mask = [self.first_scan(shut=True)] if edge.rising and not edge.memory else []
         turned: list[Node] = [] if edge.rising else [Invert()]
-        here = series(*turned, Contact(memory, negated=edge.rising), *mask, *_parts(path.stem))
+        here = series(*turned, Contact(memory, negated=edge.rising), *mask, *in_series(path.stem))
         if any(isinstance(one, Box) and one.pins for one in path.outs):
             none("多输入的框前面的沿没有对应的写法", "there is no way to write an edge before a box of several inputs")
         some: list[Out] = [*self.hung(Branch(here, path.outs), at_rail=False), Coil(memory)]
@@ -211,22 +213,14 @@ class Edges:
             paths.append(Contact(bit))
             found += self.hung(Branch(series(*left, one), (Coil(bit),)), at_rail=at_rail)
         whole = parallel(*paths) if at_rail else series(*left, parallel(*paths))
-        return [*found, *self.hung(Branch(series(whole, *_parts(path.stem)), path.outs), at_rail=at_rail)]
-
-
-def _parts(node: Node) -> tuple[Node, ...]:
-    return node.parts if isinstance(node, Series) else (node,)
+        return [*found, *self.hung(Branch(series(whole, *in_series(path.stem)), path.outs), at_rail=at_rail)]
 
 
 def _edged(node: Node) -> bool:
     """Say whether an edge on the wire is in a node."""
-    if isinstance(node, Series | Parallel):
-        return any(map(_edged, node.parts))
-    return isinstance(node, Edge)
+    return any(isinstance(one, Edge) for one in symbols_of(node))
 
 
 def _falls(node: Node) -> bool:
     """Say whether a falling edge or NOT is in a node, which can be on where the flow is not."""
-    if isinstance(node, Series | Parallel):
-        return any(map(_falls, node.parts))
-    return isinstance(node, Invert) or (isinstance(node, Edge) and not node.rising)
+    return any(isinstance(one, Invert) or (isinstance(one, Edge) and not one.rising) for one in symbols_of(node))

@@ -6,7 +6,20 @@ import operator
 from functools import reduce
 from typing import TYPE_CHECKING
 
-from plcteach.core.ladder import Box, Branch, Compared, Contact, Edge, Invert, Node, Out, Parallel, Rung, Series
+from plcteach.core.ladder import (
+    Box,
+    Branch,
+    Compared,
+    Contact,
+    Edge,
+    Invert,
+    Node,
+    Out,
+    Parallel,
+    Rung,
+    Series,
+    symbols_of,
+)
 from plcteach.machine.formula import Term, name, written
 
 if TYPE_CHECKING:
@@ -62,9 +75,7 @@ def _side_by_side(parts: tuple[Node, ...], flow: Term) -> Term:
 
 
 def _turns(node: Node) -> bool:
-    if isinstance(node, Series | Parallel):
-        return any(map(_turns, node.parts))
-    return isinstance(node, Invert | Edge)
+    return any(isinstance(one, Invert | Edge) for one in symbols_of(node))
 
 
 def _joined(flow: Term, term: Term) -> Term:

@@ -70,6 +70,12 @@ def _compared(dialect: Dialect, role: Role, relation: str, size: Size) -> Insn |
     return None
 
 
+def comparing(load: Insn, one: Compared) -> str:
+    """Write a comparing contact as a line of the list: its two words, or the whole comparison in brackets."""
+    words = load.separator.join((one.left, one.right)) if load.operands[0].relation else f"[{one.text}]"
+    return f"{load.mnemonic} {words}"
+
+
 @lru_cache(maxsize=16)
 def _register(dialect: Dialect, role: Role, register: str) -> Insn | None:
     """Find the contact of a bit of the machine itself, such as ENO, which stands in no list as an address."""

@@ -12,12 +12,15 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from plcteach.core.ladder import Ladder, Rung
+from plcteach.core.source import printable
 from plcteach.dialects import dialect as find_dialect
 from plcteach.ladder.lowering import Lowering
 from plcteach.ladder.meaning import meaning
 from plcteach.ladder.sheet import LoweredLine
 
 if TYPE_CHECKING:
+    from collections.abc import Iterator, Mapping, Sequence
+
     from plcteach.core.spec import Dialect
 
 __all__ = ["LoweredLine", "lower", "lower_lines", "meaning"]
@@ -30,19 +33,32 @@ def lower(ladder: Ladder | Rung, dialect: str | Dialect, *, grouped: bool = Fals
     block too (load and join), as a lesson about composition wants it.
     """
     family = find_dialect(dialect)
-    lines = lower_lines(ladder, family, grouped=grouped, fused=fused)
+    rows = [
+        *(ladder.configuration if isinstance(ladder, Ladder) else ()),
+        *listing(_rungs(ladder), family, lower_lines(ladder, family, grouped=grouped, fused=fused)),
+    ]
+    return "".join(f"{row}\n" for row in rows)
+
+
+def listing(
+    rungs: Sequence[Rung],
+    family: Dialect,
+    lines: Sequence[LoweredLine],
+    above: Mapping[int, Sequence[str]] | None = None,
+) -> Iterator[str]:
+    """Put lowered lines under the headings of their rungs; above: comments that stand before the lines of a rung."""
     texts: dict[int, list[str]] = {}
     for line in lines:
         texts.setdefault(line.rung, []).append(line.text)
-    rows = list(ladder.configuration) if isinstance(ladder, Ladder) else []
-    for number, rung in enumerate(_rungs(ladder)):
-        title = " ".join("".join(sign if sign.isprintable() else " " for sign in rung.title).split())
+    for number, rung in enumerate(rungs):
+        title = " ".join(printable(rung.title).split())
+        titled = f"// {title}" if title else ""
         if family.networks_by_title:
-            rows.append(f"{family.heading} {number + 1} // {title}" if title else f"{family.heading} {number + 1}")
-        elif title:
-            rows.append(f"// {title}")
-        rows += texts.get(number, [])
-    return "".join(f"{row}\n" for row in rows)
+            yield f"{family.head(number)} {titled}".rstrip()
+        elif titled:
+            yield titled
+        yield from (f"// {row}" for row in (above or {}).get(number, ()))
+        yield from texts.get(number, ())
 
 
 def lower_lines(

@@ -6,14 +6,14 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from plcteach.core.area import Address
-from plcteach.core.ladder import MOST_NESTED, Box, Branch, Coil, Edge, Invert, Rung, Series, depth
+from plcteach.core.ladder import MOST_NESTED, Box, Branch, Coil, Edge, Invert, Rung, depth, in_series
 from plcteach.core.text import Text
 from plcteach.ladder.contacts import REASONS, Contacts
 from plcteach.ladder.instructions import coil_word, flows
 from plcteach.stl.section import CLOSE
 
 if TYPE_CHECKING:
-    from plcteach.core.ladder import Node, Out
+    from plcteach.core.ladder import Out
     from plcteach.core.program import Line
     from plcteach.core.spec import Role
 
@@ -76,7 +76,7 @@ class Lowering(Contacts):
             elif isinstance(path, Box):
                 self.box(path)
             else:
-                self.onward(_parts(path.stem), "join_series", at_rail=True)
+                self.onward(in_series(path.stem), "join_series", at_rail=True)
                 self.outs(path.outs)
 
     def path(self, out: Out) -> Out:
@@ -201,10 +201,6 @@ class Lowering(Contacts):
             row = self.dialect.words[f"{name.upper()} {block.area}"]
             self.put(name.upper(), row, reason=REASONS["entry"], of=box)
         self.put(last.text, last.insn, reason=REASONS["close"], of=box)
-
-
-def _parts(node: Node) -> tuple[Node, ...]:
-    return node.parts if isinstance(node, Series) else (node,)
 
 
 def _input(word: str) -> Text:

@@ -16,11 +16,12 @@ from __future__ import annotations
 
 import re
 from dataclasses import replace
-from typing import TYPE_CHECKING, NoReturn
+from typing import NoReturn
 
 from plcteach.core.diagnostic import Diagnostic, rule
 from plcteach.core.ladder import (
     MOST_NESTED,
+    OPPOSITE,
     Box,
     Branch,
     Coil,
@@ -54,15 +55,11 @@ from plcteach.ladder.symbols import (
     shortened,
 )  # fmt: skip
 
-if TYPE_CHECKING:
-    from plcteach.core.ladder import Relation
-
 _TOKEN = re.compile(rf"->|→|\[[^\[\]{{}}]*\]?|\{{[^{{}};]*|{ADDRESS}|\S")
 _ARROW = "->"
 _MOST_OPEN = MOST_NESTED // 3
 _ORS, _ANDS, _NOTS = frozenset("+|∨"), frozenset("·*&•∧⋅"), frozenset("/!¬")
 _CONTACTS = frozenset({*EDGES, "I"})
-_OPPOSITE: dict[Relation, Relation] = {"=": "<>", "<>": "=", ">=": "<", "<": ">=", "<=": ">", ">": "<="}
 
 
 class _UnreadError(Exception):
@@ -209,7 +206,7 @@ class _Parser:
             case Contact(_, negated, ""):
                 return replace(node, negated=not negated)
             case Compared(_, relation):
-                return replace(node, relation=_OPPOSITE[relation])
+                return replace(node, relation=OPPOSITE[relation])
             case Series(parts):
                 return parallel(*map(self.inverse, parts))
             case Parallel(parts):

@@ -10,17 +10,15 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
-from plcteach.core.ladder import Compared, Contact, Edge, Invert
+from plcteach.core.ladder import OPPOSITE, Compared, Contact, Edge, Invert
 
 if TYPE_CHECKING:
     from plcteach.core.area import Address
-    from plcteach.core.ladder import Relation
 
 MOST_DRAWN = 2_000
 """More symbols than any rung has; what would be larger is not drawn."""
 
 _HUGE = 10**9
-_OPPOSITE: dict[Relation, Relation] = {"=": "<>", "<>": "=", ">": "<=", "<=": ">", "<": ">=", ">=": "<"}
 
 
 @dataclass(slots=True)
@@ -135,7 +133,7 @@ def turned(mark: Mark) -> Mark | None:
         case Contact(address, negated, "", immediate):
             return replace(mark, symbol=Contact(address, not negated, "", immediate))
         case Compared(left, relation, right, size) if size != "R":
-            return replace(mark, symbol=Compared(left, _OPPOSITE[relation], right, size))
+            return replace(mark, symbol=Compared(left, OPPOSITE[relation], right, size))
     return None
 
 

@@ -123,20 +123,21 @@ class Places:
     def special(self, word: str, meaning: str) -> tuple[str, bool]:
         """Give the system bit with the same meaning, or the inverse of the one with the opposite meaning."""
         meaning = {"cold": "first"}.get(meaning, meaning) if meaning not in self.target.specials.values() else meaning
-        for wanted, inverse in ((meaning, False), (_OPPOSITE.get(meaning, ""), True)):
-            found = next((bit for bit, what in self.target.specials.items() if what == wanted and wanted), None)
-            if found is not None:
-                self.keep(word, f"/{found}" if inverse else found)
-                return found, inverse
-        none(f"没有和{word}意义相同的系统位", f"there is no system bit that means what {word} means")
+        found, inverse = self.meant(meaning)
+        if not found:
+            none(f"没有和{word}意义相同的系统位", f"there is no system bit that means what {word} means")
+        self.keep(word, f"/{found}" if inverse else found)
+        return found, inverse
 
     def known(self, meaning: str) -> tuple[str, bool]:
         """Give the target's own bit of a meaning ("on", "first"), and whether it is the inverse."""
-        for wanted, inverse in ((meaning, False), (_OPPOSITE[meaning], True)):
-            found = next((bit for bit, what in self.target.specials.items() if what == wanted), None)
-            if found is not None:
-                return found, inverse
-        none("没有这样的系统位", "there is no such system bit")
+        found, inverse = self.meant(meaning)
+        return (found, inverse) if found else none("没有这样的系统位", "there is no such system bit")
+
+    def meant(self, meaning: str) -> tuple[str, bool]:
+        """Give the target's bit of a meaning, else that of the opposite and True; "" where it has neither."""
+        found = self.target.special(meaning)
+        return (found, False) if found else (self.target.special(_OPPOSITE.get(meaning, "")), True)
 
     def fresh(self) -> str:
         """Give a bit of memory that nothing else uses."""

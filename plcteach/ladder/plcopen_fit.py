@@ -303,5 +303,5 @@ class _Fitting:
 
     def never(self) -> Contact:
         """Give a contact that is never closed."""
-        found = {what: word for word, what in self.dialect.specials.items() if what in {"on", "off"}}
-        return Contact(found["off"]) if "off" in found else Contact(found["on"], negated=True)
+        off = self.dialect.special("off")
+        return Contact(off) if off else Contact(self.dialect.special("on"), negated=True)

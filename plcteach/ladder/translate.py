@@ -7,17 +7,18 @@ a scan, a note says so.
 
 from __future__ import annotations
 
+from collections import Counter
 from typing import TYPE_CHECKING
 
 from plcteach.core.area import Address
 from plcteach.core.errors import NotRepresentableError
-from plcteach.core.ladder import Box, Branch, Coil, Compared, Contact, Edge, Ladder, Rung
+from plcteach.core.ladder import Box, Branch, Coil, Compared, Contact, Edge, Ladder, Rung, symbols_of
 from plcteach.core.text import NOTHING, Text, language
 from plcteach.dialects import dialect as find_dialect
 from plcteach.ladder.across import Across
 from plcteach.ladder.edges import Edges
 from plcteach.ladder.lift import lift
-from plcteach.ladder.lower import lower_lines
+from plcteach.ladder.lower import listing, lower_lines
 from plcteach.ladder.oneline import write_line
 from plcteach.ladder.places import Places
 from plcteach.ladder.translation import Translation
@@ -82,15 +83,15 @@ def translate_ladder(
 class _Translating:
     """The target's rungs so far, each with the comments that stand before it.
 
-    sources: for each rung of the source the lines that made it, as a note names them.
+    counts: how often each address is named, in order of first appearance.  sources: for each rung of the source the lines that made it, as a note names them.
     """
 
     def __init__(
         self, source: Dialect, target: Dialect, ladder: Ladder, settings: Mapping[str, Mapping[str, object]]
     ) -> None:
         self.source, self.target, self.ladder = source, target, ladder
-        self.words = list(dict.fromkeys(word for one in ladder.rungs for word in _words(source, one)))
-        self.places = Places(source, target, self.words)
+        self.counts = Counter(word for one in ladder.rungs for word in _words(source, one))
+        self.places = Places(source, target, self.counts)
         self.across = Across(self.places, settings)
         self.sources: dict[int, list[list[Line]]] = {}
         self.edges = Edges(self.places, frozenset())
@@ -107,12 +108,11 @@ class _Translating:
                     self.chosen(box)
         for number, one in enumerate(self.ladder.rungs):
             self.merge(number, one)
-        lone = [word for one in self.ladder.rungs for word in _words(self.source, one)]
         memories = {
             one.memory
             for rung in self.ladder.rungs
             for one in rung.symbols
-            if isinstance(one, Edge) and one.memory and lone.count(one.memory) == 1
+            if isinstance(one, Edge) and one.memory and self.counts[one.memory] == 1
         }
         self.edges.kept = frozenset(self.places.bit(memory)[0] for memory in memories)
 
@@ -154,7 +154,7 @@ class _Translating:
             return
         self.across.resets[place] = reset.stem
         self.merged.add(resets[0])
-        if resets[0] < number and not any(verb.op == "upto" for row in self.target.insns for verb in row.then):
+        if resets[0] < number and not self.across.stops():
             self.across.note(
                 f"{place}：复位有效时来的计数沿，{self.source.title.zh}还计1，{self.target.title.zh}不计。",
                 f"{place}: an edge that comes while the reset is on still counts 1 in {self.source.title.en}, and does not in {self.target.title.en}.",
@@ -163,7 +163,7 @@ class _Translating:
     def rung(self, number: int) -> None:
         """Translate one rung, or say why it has no counterpart."""
         one = self.ladder.rungs[number]
-        if number in self.merged and not any(verb.op == "upto" for row in self.target.insns for verb in row.then):
+        if number in self.merged and not self.across.stops():
             return
         if number in self.merged:
             self.across.resets.clear()
@@ -226,9 +226,8 @@ class _Translating:
 
     def behind(self, number: int, part: Rung | Out) -> Sequence[Line | str]:
         """Give the lines that made a part of a rung; the part itself, where it comes from a drawing."""
-        wanted = Rung(None, (part,)).symbols if not isinstance(part, Rung) else part.symbols
         made = self.sources.get(number)
-        ids = {id(one) for one in wanted}
+        ids = {id(one) for one in symbols_of(part)}
         numbers = [at for at, one in enumerate(self.ladder.rungs[number].symbols) if id(one) in ids]
         if not made or not numbers:
             return [_said(part)]
@@ -245,27 +244,15 @@ class _Translating:
         moved = len(self.edges.top)
         comments = {at + moved: rows for at, rows in self.comments.items()}
         rows = [*(f"// {old} -> {new}" for old, new in self.addresses().items()), *self.across.configuration]
-        texts: dict[int, list[str]] = {}
-        for line in lower_lines(Ladder(tuple(self.rungs)), self.target):
-            texts.setdefault(line.rung, []).append(line.text)
-        for number, rung in enumerate(self.rungs):
-            rows += self.head(number, " ".join(rung.title.split()))
-            rows += [f"// {row}" for row in comments.get(number, [])]
-            rows += texts.get(number, [])
+        rows += listing(self.rungs, self.target, lower_lines(Ladder(tuple(self.rungs)), self.target), comments)
         rows += [f"// {row}" for row in comments.get(len(self.rungs), [])]
         text = "".join(f"{row}\n" for row in rows)
         return Translation(text, read(text, self.target), self.addresses(), tuple(self.across.notes))
 
-    def head(self, number: int, title: str) -> list[str]:
-        if self.target.networks_by_title:
-            heading = f"{self.target.heading} {number + self.target.first_heading}"
-            return [f"{heading} // {title}" if title else heading]
-        return [f"// {title}"] if title else []
-
     def addresses(self) -> dict[str, str]:
         """Give the table in order of first appearance."""
         table = self.places.table
-        return {word: table[word] for word in [*self.words, *table] if word in table}
+        return {word: table[word] for word in [*self.counts, *table] if word in table}
 
 
 def _said(out: Out | Rung) -> str:

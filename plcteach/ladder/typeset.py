@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from plcteach.core.source import printable
 from plcteach.ladder.layout import RAIL, Layout, Post, layout
 from plcteach.ladder.symbols import columns, drawn, drawn_input
 
@@ -31,8 +32,7 @@ def _heading(rung: Rung, number: int, *, headed: bool) -> list[str]:
 
 
 def _one_line(title: str) -> str:
-    """Put a title on one line, without signs that a terminal would obey."""
-    return " ".join("".join(sign if sign.isprintable() else " " for sign in title).split())
+    return " ".join(printable(title).split())
 
 
 def _rows(plan: Layout) -> list[str]:

@@ -92,7 +92,7 @@ def _network(program: Program, network: Network, number: int, *, every: bool = F
 
 
 def _heading(program: Program, network: Network, number: int) -> str:
-    heading = f"{program.dialect.heading} {number - 1 + program.dialect.first_heading}"
+    heading = program.dialect.head(number - 1)
     return f"{heading} {_remark(network.title)}" if network.title else heading
 
 
