@@ -9,11 +9,11 @@ from typing import TYPE_CHECKING, Any
 
 from plcteach.core.diagnostic import RULES
 from plcteach.core.errors import DeclarationError, UnknownNameError
-from plcteach.core.exercise import Exercise, WrongSample
+from plcteach.core.exercise import KINDS, Exercise, Need, Terms, WrongSample
 from plcteach.core.text import NOTHING, Text
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Mapping, Sequence
     from pathlib import Path
 
 
@@ -55,54 +55,122 @@ def parse(toml: str, name: str) -> Exercise:
     except tomllib.TOMLDecodeError as trouble:
         msg = f"exercise {name}: {trouble}"
         raise DeclarationError(msg) from None
-    unknown = set(table) - set(_FIELDS)
-    missing = {"dialect", "title", "task", "reference"} - set(table)
+    unknown = set(table) - set(_FIELDS) - set(_TERMS)
+    missing = {"dialect", "title", "task"} - set(table)
+    missing |= set() if {"reference", "given"} & set(table) else {"reference"}
     if unknown or missing:
         msg = f"exercise {name}: unknown {sorted(unknown)}, missing {sorted(missing)}"
         raise DeclarationError(msg)
-    fields: dict[str, Any] = {"id": name}
-    for key, make in _FIELDS.items():
+    terms = Terms(**_made(table, _TERMS, name))
+    fields = _made(table, _FIELDS, name)
+    fields["needs"] = fields.pop("need", ())
+    return Exercise(**{"id": name, "reference": fields.get("given", ""), "terms": terms, **fields})
+
+
+def _made(table: Mapping[str, Any], makers: Mapping[str, Callable[[Any], Any]], name: str) -> dict[str, Any]:
+    """Give those of some fields that a table has; DeclarationError names the one that does not read."""
+    fields = {}
+    for key, make in makers.items():
         if key in table:
             try:
                 fields[key] = make(table[key])
             except (KeyError, TypeError, ValueError, AttributeError) as trouble:
                 msg = f"exercise {name}: {key} does not read ({type(trouble).__name__}: {trouble})"
                 raise DeclarationError(msg) from None
-    return Exercise(**fields)
+    return fields
 
 
 def _text(pair: dict[str, Any]) -> Text:
     return Text(str(pair["zh"]), str(pair["en"]))
 
 
-def _level(word: str) -> str:
-    if word not in {"exact", "settled", "either"}:
-        msg = f"the level is exact, settled or either, not {word!r}"
-        raise ValueError(msg)
-    return word
+def _one_of(*words: str) -> Callable[[str], str]:
+    def chosen(word: str) -> str:
+        if word not in words:
+            msg = f"it is one of {', '.join(words)}, not {word!r}"
+            raise ValueError(msg)
+        return word
+
+    return chosen
 
 
 def _hints(pairs: list[dict[str, Any]]) -> tuple[Text, ...]:
     return tuple(_text(pair) for pair in pairs)
 
 
+def _words(rows: Sequence[Any]) -> tuple[str, ...]:
+    if isinstance(rows, str):
+        msg = "it is a list of texts"
+        raise TypeError(msg)
+    return tuple(map(str, rows))
+
+
+def _answer(sample: dict[str, Any]) -> str:
+    return str(sample["answer"] if "answer" in sample else sample["program"])
+
+
 def _right(samples: list[dict[str, Any]]) -> tuple[str, ...]:
-    return tuple(str(sample["program"]) for sample in samples)
+    return tuple(map(_answer, samples))
 
 
 def _wrong(samples: list[dict[str, Any]]) -> tuple[WrongSample, ...]:
-    return tuple(_wrong_one(sample) for sample in samples)
+    return tuple(map(_wrong_one, samples))
 
 
 def _wrong_one(sample: dict[str, Any]) -> WrongSample:
     expect = sample["expect"]
-    if expect != "different" and expect not in RULES:
-        msg = f"expect is 'different' or the code of a diagnostic, not {expect!r}"
+    if expect not in _VERDICTS and expect not in RULES:
+        msg = f"expect is one of {', '.join(_VERDICTS)} or the code of a diagnostic, not {expect!r}"
         raise ValueError(msg)
-    return WrongSample(str(sample["program"]), expect, _text(sample["because"]) if "because" in sample else NOTHING)
+    because = _text(sample["because"]) if "because" in sample else NOTHING
+    return WrongSample(_answer(sample), expect, because, int(sample.get("misconception", 0)))
 
+
+_VERDICTS = ("different", "unsettled", "unknown")
+_NEEDS = ("most", "uses", "avoids", "contact", "edits")
+
+
+def _need(row: dict[str, Any]) -> Need:
+    what = next((one for one in _NEEDS if one in row), "")
+    unknown = set(row) - {what, "rung", "says"}
+    if not what or unknown:
+        msg = f"a need is one of {', '.join(_NEEDS)}, with rung and says, and not {sorted(row)}"
+        raise ValueError(msg)
+    says = _text(row["says"]) if "says" in row else NOTHING
+    return Need(what, str(row[what]), str(row.get("rung", "")), says)  # type: ignore[arg-type]
+
+
+def _needs(rows: list[dict[str, Any]]) -> tuple[Need, ...]:
+    return tuple(map(_need, rows))
+
+
+def _weights(table: dict[str, Any]) -> dict[str, float]:
+    unknown = set(table) - {"outputs", "steps", "style", "needs"}
+    if unknown or not table or min(map(float, table.values())) < 0 or not sum(map(float, table.values())):
+        msg = f"weights are shares of outputs, steps, style and needs, and not {table}"
+        raise ValueError(msg)
+    return {key: float(value) for key, value in table.items()}
+
+
+def _formulas(table: dict[str, Any]) -> dict[str, str]:
+    return {str(key): str(value) for key, value in table.items()}
+
+
+def _scans(rows: list[dict[str, Any]]) -> tuple[dict[str, Any], ...]:
+    return tuple(dict(row) for row in rows)
+
+
+_TERMS: dict[str, Callable[[Any], Any]] = {
+    "level": _one_of("exact", "settled", "either"),
+    "outputs": _words,
+    "assume": _words,
+    "single_change": bool,
+    "dont_care": _formulas,
+    "never": _words,
+}
 
 _FIELDS: dict[str, Callable[[Any], Any]] = {
+    "kind": _one_of(*KINDS),
     "order": int,
     "dialect": str,
     "points": float,
@@ -110,7 +178,19 @@ _FIELDS: dict[str, Callable[[Any], Any]] = {
     "task": _text,
     "reference": str,
     "start": str,
-    "level": _level,
+    "given": str,
+    "source": str,
+    "lesson": int,
+    "after": _words,
+    "misconceptions": lambda rows: tuple(map(int, rows)),
+    "weights": _weights,
+    "need": _needs,
+    "scans": _scans,
+    "levels": int,
+    "row": int,
+    "choices": _words,
+    "distractors": _words,
+    "hidden": bool,
     "hints": _hints,
     "right": _right,
     "wrong": _wrong,
