@@ -22,6 +22,7 @@ _WORDS = {
     "compare": "check.same",
     "judge": "check.judge",
     "grade": "check.score",
+    "drill": "check.drill",
     "table": "figure.running",
     "illustrate": "figure.running",
     "strip": "figure.verbs",
@@ -31,6 +32,8 @@ _WORDS = {
     "translate": "ladder.verbs",
     "chart": "figure.verbs",
     "face": "figure.verbs",
+    "replay": "figure.replaying",
+    "drive": "figure.driving",
     "explain": "check.manual",
     "play": "widgets.verbs",
     "families": "widgets.verbs",
@@ -49,6 +52,11 @@ def __getattr__(name: str) -> Any:
         msg = f"module 'plcteach' has no attribute {name!r}"
         raise AttributeError(msg)
     return getattr(import_module(f"plcteach.{_WORDS[name]}"), name)
+
+
+def load_ipython_extension(shell: Any) -> None:
+    """Give a notebook the magic %%stl, on `%load_ext plcteach`."""
+    import_module("plcteach.check.marking.magic").load(shell)
 
 
 def __dir__() -> list[str]:

@@ -1,15 +1,19 @@
-"""A verdict in words and in a table: what the desk, the score and the command line all say of it."""
+"""A judgement in words, in a table and as HTML: what the desk, the score and the command line all say of it."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from html import escape
 from typing import TYPE_CHECKING, Any, Literal
 
+from plcteach.check.chart import chart_of
 from plcteach.core.diagnostic import errors
-from plcteach.core.text import Text
+from plcteach.core.text import NOTHING, Text
 
 if TYPE_CHECKING:
-    from plcteach.check.judge import Judgement
+    from plcteach.check.chart import Chart
+    from plcteach.check.chart import Row as ChartRow
+    from plcteach.check.judgement import Judgement
     from plcteach.core.diagnostic import Diagnostic
     from plcteach.core.verdict import Verdict
 
@@ -76,45 +80,88 @@ def summary(verdict: Verdict) -> Text:
     return status
 
 
+_RIGHT = Text("正确，{marks}：{proof}。", "Correct, {marks}: {proof}.")
+_RIGHT_BUT = Text("{marks}：{need}", "{marks}: {need}")
+_ALL_RIGHT: dict[str, Text] = {
+    "predict": Text("堆栈的每一个值都对", "every value of the stack is as the machine has it"),
+    "join": Text("两个电路块都对", "both blocks are the ones it joins"),
+    "match": Text("这个梯形图和程序作用相同", "this ladder does what the list does"),
+    "chart": Text("每个扫描都对", "every scan is as the machine has it"),
+}
+_PARTLY = Text("{marks}。{first}", "{marks}. {first}")
+_NOT_YET = Text("还不对。", "Not yet.")
+_UNSETTLED = Text(
+    "输入不变，输出却停不下来，所以没有可以比较的结果。哪两个梯级互相改来改去？",
+    "With its inputs held, the program never comes to rest, so there is nothing to compare. Which rungs undo each other?",
+)
+_NOT_KNOWN = Text(
+    "没有发现差别，但也没能证明相同（查看了{n}个状态）。",
+    "No difference was found, but none was excluded either ({n} states seen).",
+)
+_WORDS = {
+    "program": Text(
+        "当{inputs}时，{address}应为{expected}，你的程序给出{got}{scan}。",
+        "With {inputs}, {address} should be {expected}; your program gives {got}{scan}.",
+    ),
+    "match": Text(
+        "当{inputs}时，程序使{address}为{expected}，这个梯形图使它为{got}{scan}。",
+        "With {inputs}, the list makes {address} {expected}, and this ladder makes it {got}{scan}.",
+    ),
+}
+
+
+def marks_said(judgement: Judgement) -> Text:
+    """Say the marks: 2.5 of 4."""
+    got, points = f"{judgement.marks:g}", f"{judgement.exercise.points:g}"
+    return Text(f"{got}/{points}分", f"{got} of {points}")
+
+
 def headline(judgement: Judgement) -> Text:
-    """Say the verdict in one line, the counterexample first where there is one."""
+    """Say the judgement in one line, the counterexample first where there is one."""
     verdict = judgement.verdict
-    marks = Text(
-        f"{judgement.marks:g}/{judgement.exercise.points:g}分", f"{judgement.marks:g} of {judgement.exercise.points:g}"
-    )
     match verdict.status:
         case "equal":
-            proof = _PROOFS[verdict.proof or "table"]
-            return Text("正确，{marks}：{proof}。", "Correct, {marks}: {proof}.").format(marks=marks, proof=proof)
+            return _correct(judgement)
         case "error":
-            return _error(verdict.diagnostics)
+            return _error(verdict.diagnostics, placed=judgement.exercise.kind not in _ALL_RIGHT)
         case "different":
-            return _different(verdict)
-    return Text(
-        "没有发现差别，但也没能证明相同（查看了{n}个状态）。",
-        "No difference was found, but none was excluded either ({n} states seen).",
-    ).format(n=verdict.explored)
+            return _wrong(judgement)
+        case "unsettled":
+            return _UNSETTLED
+    return _NOT_KNOWN.format(n=verdict.explored)
 
 
-def _error(found: tuple[Diagnostic, ...]) -> Text:
+def _correct(judgement: Judgement) -> Text:
+    """Say why it is right; or what the task asks for beside that."""
+    marks = marks_said(judgement)
+    if judgement.says:
+        return _RIGHT_BUT.format(marks=marks, need=judgement.says[0])
+    proof = _ALL_RIGHT.get(judgement.exercise.kind) or _PROOFS[judgement.verdict.proof or "table"]
+    return _RIGHT.format(marks=marks, proof=proof)
+
+
+def _wrong(judgement: Judgement) -> Text:
+    verdict, kind = judgement.verdict, judgement.exercise.kind
+    if verdict.counterexample is None and kind in _ALL_RIGHT:
+        return _PARTLY.format(marks=marks_said(judgement), first=next(iter(judgement.says), _NOT_YET))
+    return _different(verdict, _WORDS["match" if kind == "match" else "program"])
+
+
+def _error(found: tuple[Diagnostic, ...], *, placed: bool) -> Text:
     wrong = errors(found)
     if not wrong:
         return Text("还没有程序。先写第一条指令吧。", "There is no program yet. Which instruction comes first?")
     one = wrong[0]
-    row = Text(f"第{one.span.row}行：", f"Row {one.span.row}: ")
+    row = Text(f"第{one.span.row}行：", f"Row {one.span.row}: ") if placed else NOTHING
     return Text(row.zh + one.text.zh, row.en + one.text.en)
 
 
-def _different(verdict: Verdict) -> Text:
+def _different(verdict: Verdict, words: Text) -> Text:
     example = verdict.counterexample
     if example is None:
         return Text("与参考不同。", "It differs from the reference.")
     inputs = ", ".join(f"{row.address}={row.value}" for row in table(verdict) if row.kind == "input")
-    words = Text(
-        "当{inputs}时，{address}应为{expected}，你的程序给出{got}{scan}。",
-        "With {inputs}, {address} should be {expected}; your program gives {got}{scan}.",
-    )
-    later = Text(f"（第{example.scan + 1}个扫描）", f" (scan {example.scan + 1})") if example.scan else Text("", "")
+    later = Text(f"（第{example.scan + 1}个扫描）", f" (scan {example.scan + 1})") if example.scan else NOTHING
     return words.format(
         inputs=inputs,
         address=example.address,
@@ -127,11 +174,16 @@ def _different(verdict: Verdict) -> Text:
 def verdict_json(judgement: Judgement) -> dict[str, Any]:
     """Give the judgement as the desk in the browser wants it."""
     verdict = judgement.verdict
+    chart = chart_of(verdict)
     return {
         "status": verdict.status,
+        "kind": judgement.exercise.kind,
         "headline": headline(judgement).as_dict(),
         "marks": judgement.marks,
         "max": judgement.exercise.points,
+        "parts": [{"name": one.name.as_dict(), "got": one.got, "of": one.of} for one in judgement.parts],
+        "says": [one.as_dict() for one in judgement.says],
+        "wrong": [list(place) for place in judgement.wrong],
         "rows": [
             {
                 "address": row.address,
@@ -143,5 +195,64 @@ def verdict_json(judgement: Judgement) -> dict[str, Any]:
             for row in table(verdict)
         ],
         "outputs": dict(verdict.outputs),
-        "canShow": verdict.counterexample is not None,
+        "chart": chart.as_dict() if chart else None,
+        "diagnostics": [_finding_json(one) for one in verdict.diagnostics[:_MOST_FINDINGS]],
+        "canShow": verdict.counterexample is not None and judgement.program is not None,
     }
+
+
+def _finding_json(one: Diagnostic) -> dict[str, Any]:
+    return {
+        "code": one.code,
+        "severity": one.severity,
+        "row": one.span.row,
+        "text": one.text.as_dict(),
+        "why": one.why.as_dict(),
+    }
+
+
+_MOST_FINDINGS = 20
+_CELL = "padding:0 .6em;text-align:center"
+
+
+def report_html(judgement: Judgement, lang: str) -> str:
+    """Give the report as HTML: the headline, the marks by parts, the remarks, the findings, and the counterexample's chart."""
+    rows = [f"<p><strong>{escape(headline(judgement).in_(lang))}</strong></p>"]
+    if len(judgement.parts) > 1 or 0 < judgement.marks < judgement.exercise.points:
+        parts = (f"{escape(one.name.in_(lang))} {one.got:g}/{one.of:g}" for one in judgement.parts)
+        rows.append(f"<p>{escape(marks_said(judgement).in_(lang))}: {', '.join(parts)}</p>")
+    remarks = [escape(one.in_(lang)) for one in judgement.says]
+    remarks += [_finding_html(one, lang) for one in judgement.verdict.diagnostics[:_MOST_FINDINGS]]
+    if remarks:
+        rows.append(f"<ul>{''.join(f'<li>{one}</li>' for one in remarks)}</ul>")
+    chart = chart_of(judgement.verdict)
+    if chart:
+        rows.append(_chart_html(chart, lang))
+    return "".join(rows)
+
+
+def _finding_html(one: Diagnostic, lang: str) -> str:
+    return f"<code>{one.code}</code> {_row(one.span.row, lang)}{escape(one.text.in_(lang))}"
+
+
+def _row(row: int, lang: str) -> str:
+    if not row:
+        return ""
+    return f"第{row}行：" if lang == "zh" else f"row {row}: "
+
+
+def _chart_html(chart: Chart, lang: str) -> str:
+    """Write the chart as a table, which every reader shows and reads aloud."""
+    holds = "".join(f'<th scope="col" style="{_CELL}">{escape(one.in_(lang))}</th>' for one in chart.holds)
+    body = "".join(_chart_row(row, lang) for row in chart.rows)
+    return f"<table><tr><th></th>{holds}</tr>{body}</table>"
+
+
+def _chart_row(row: ChartRow, lang: str) -> str:
+    differs = row.differs or (False,) * len(row.values)
+    cells = "".join(
+        f'<td style="{_CELL}">{f"<strong>≠ {escape(value)}</strong>" if wrong else escape(value)}</td>'
+        for value, wrong in zip(row.values, differs, strict=True)
+    )
+    label = escape(row.label.in_(lang))
+    return f'<tr><th scope="row" style="text-align:left"><code>{label}</code></th>{cells}</tr>'

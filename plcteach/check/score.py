@@ -6,12 +6,18 @@ import math
 from html import escape
 from typing import TYPE_CHECKING, Self
 
-from plcteach.check.judge import Judgement, judge
-from plcteach.check.report import headline, table
+from plcteach.check.cases import cases_of
+from plcteach.check.judge import judge
+from plcteach.check.report import headline, report_html
 from plcteach.core.text import language
 
 if TYPE_CHECKING:
+    from collections.abc import Callable, Iterator
+
+    from plcteach.check.judgement import Judgement
     from plcteach.core.exercise import Exercise
+
+__all__ = ["Score", "grade", "report_html"]
 
 
 class Score(float):
@@ -35,39 +41,32 @@ class Score(float):
         return report_html(self.judgement, language())
 
     def assert_correct(self) -> None:
-        """Raise AssertionError, its first line the counterexample, unless the program was proved equal."""
-        if self.judgement is not None and self.judgement.verdict.status != "equal":
-            raise AssertionError(headline(self.judgement).in_(language()))
+        """Raise AssertionError, its first line the counterexample, unless the answer was proved right in all that is asked."""
+        judgement = self.judgement
+        if judgement is not None and (judgement.verdict.status != "equal" or judgement.says):
+            raise AssertionError(headline(judgement).in_(language()))
+
+    def cases(self) -> Iterator[tuple[str, float, Callable[[], None]]]:
+        """Give (name, points, check) for a grader that counts cases: a check raises AssertionError where it is not passed.
+
+        Names and points depend on the exercise alone, so that they can be written down before anyone has answered.
+        """
+        if self.judgement is None:
+            return
+        said = headline(self.judgement)
+        for case in cases_of(self.judgement):
+            yield case.name.in_(language()), case.points, _check(f"{said.in_(language())}", passed=case.passed)
+
+
+def _check(said: str, *, passed: bool) -> Callable[[], None]:
+    def check() -> None:
+        if not passed:
+            raise AssertionError(said)
+
+    return check
 
 
 def grade(exercise: Exercise | str, text: str | bytes) -> Score:
     """Grade a submission: `plcteach.grade("s7-two-blocks", my_program)` as the last line of a graded cell."""
     judgement = judge(exercise, text)
     return Score(judgement.marks, judgement.exercise.points, judgement)
-
-
-def report_html(judgement: Judgement, lang: str) -> str:
-    """Give the report as HTML: the headline, the findings with their rows, and the row of inputs that tells them apart."""
-    parts = [f"<p><strong>{escape(headline(judgement).in_(lang))}</strong></p>"]
-    found = judgement.verdict.diagnostics
-    if found:
-        items = "".join(
-            f"<li><code>{one.code}</code> {_row(one.span.row, lang)}{escape(one.text.in_(lang))}</li>"
-            for one in found[:20]
-        )
-        parts.append(f"<ul>{items}</ul>")
-    rows = table(judgement.verdict)
-    if rows:
-        body = "".join(
-            f"<tr><td><code>{escape(row.address)}</code> {escape(row.label.in_(lang))}</td><td>{row.value}</td>"
-            f"<td>{'≠' if row.differs else ''}</td></tr>"
-            for row in rows
-        )
-        parts.append(f"<table>{body}</table>")
-    return "".join(parts)
-
-
-def _row(row: int, lang: str) -> str:
-    if not row:
-        return ""
-    return f"第{row}行：" if lang == "zh" else f"row {row}: "

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 from plcteach import __version__
 from plcteach.cli import ladders
 from plcteach.cli import verbs as verbs_of
+from plcteach.cli.grading import grade_verb
 from plcteach.dialects import names
 
 if TYPE_CHECKING:
@@ -36,6 +37,7 @@ def parser_of_all() -> argparse.ArgumentParser:
     _showing_verbs(verbs, common, family)
     _ladder_verbs(verbs, reading)
     _making_verbs(verbs, common, reading)
+    _grading_verb(verbs, common)
     return parser
 
 
@@ -158,6 +160,25 @@ def _making_verbs(verbs: Any, common: argparse.ArgumentParser, reading: argparse
         help="copy the lessons there and work on the copies (default: the checkout's own, else ./plcteach-lessons)",
     )
     one.add_argument("--no-browser", action="store_true", help="do not open a browser")
+
+
+def _grading_verb(verbs: Any, common: argparse.ArgumentParser) -> None:
+    one = _verb(verbs, "grade", grade_verb, [common], "grade a folder of answers, as a learning platform gives it out")
+    one.add_argument("folder", help="a folder for each learner, or a file for each (a ZIP file is to be unpacked first)")
+    one.add_argument("--exercise", required=True, metavar="ID", help="a bundled exercise, or your own .toml file")
+    one.add_argument("-o", "--output", type=Path, metavar="OUT", help="where the results go (default: FOLDER-marks)")
+    one.add_argument("--jobs", type=_count, help="how many processes (default: one for each core)")
+    one.add_argument("--cluster", metavar="ADDRESS", help="judge on a dask.distributed cluster, as tcp://host:8786")
+    one.add_argument("--encoding", help="encoding to try after UTF-8 (then GBK, cp1252)")
+    one.add_argument("--json", action="store_true", help="print the results as JSON")
+
+
+def _count(word: str) -> int:
+    """Read how many; at least one."""
+    if not word.isdecimal() or not int(word):
+        msg = f"{word!r} is no number from 1"
+        raise argparse.ArgumentTypeError(msg)
+    return int(word)
 
 
 def _verb(

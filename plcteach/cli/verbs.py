@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -21,6 +22,7 @@ from plcteach.cli.printing import (
 )
 from plcteach.cli.reading import CallError, family_of, program_of, scans_of, symbols_of, text_of, watched_of
 from plcteach.core.diagnostic import errors
+from plcteach.core.exercise import Terms
 from plcteach.core.text import language, same
 from plcteach.exercises import exercise
 from plcteach.machine import run
@@ -88,20 +90,21 @@ def _lint_folder(folder: Path, options: argparse.Namespace) -> int:
 
 def check_verb(options: argparse.Namespace) -> int:
     """Compare a submission with a reference."""
-    drawing = ""
+    drawing, terms = "", Terms()
     if options.exercise:
         task = exercise(options.exercise)
         if options.dialect not in {None, task.dialect}:
             msg = f"exercise {task.id} is for {task.dialect}, not for {options.dialect}"
             raise CallError(msg)
         options.dialect, drawing = task.dialect, task.reference
-        options.level = options.level or task.level
+        terms = task.terms
     if not options.reference and not drawing:
         msg = "check wants --reference FILE or --exercise ID"
         raise CallError(msg)
     student = program_of(options.student, options)
     wanted = reference(text_of(options.reference, options) if options.reference else drawing, family_of(options))
-    verdict = verdict_on(wanted, student, options.level or "either")
+    terms = replace(terms, level=options.level) if options.level else terms
+    verdict = verdict_on(wanted, student, terms)
     if options.json:
         print_json(verdict_json(verdict))
     else:

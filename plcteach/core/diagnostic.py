@@ -24,7 +24,8 @@ Severity = Literal["error", "warning", "info"]
 class Rule:
     """One thing that can be said: its code, its name, what it says (with named places) and why it matters.
 
-    misconceptions: the numbers of the usual wrong ideas behind it, as the teaching notes count them.
+    misconceptions: the numbers of the usual wrong ideas behind it, as the teaching notes count them, the most usual first.
+    lesson: the number of the lesson that treats it, -1 if none does.
     """
 
     code: str
@@ -33,14 +34,23 @@ class Rule:
     says: Text
     why: Text
     misconceptions: tuple[int, ...] = ()
+    lesson: int = -1
 
     def __repr__(self) -> str:
         return f"Rule({self.code} {self.name})"
+
+    @property
+    def style(self) -> bool:
+        """Whether it speaks of a right program that could be written better, which marks for style count."""
+        return self.code.startswith("STY") or self.code in _ONE_LINE_TOO_MANY
 
     def at(self, span: Span, **values: object) -> Diagnostic:
         """Make a finding of this rule at a place, its named places filled."""
         said = self.says.format(**values)
         return Diagnostic(self.code, self.severity, span, Text(said.zh.strip(), said.en.strip()))
+
+
+_ONE_LINE_TOO_MANY = frozenset({"STK007", "STK008"})
 
 
 @dataclass(frozen=True, slots=True)
@@ -119,6 +129,7 @@ _ROWS = (
             "PLC只认识自己指令集里的助记符；拼写差一个字母就是另一条指令。",
             "A PLC knows only the mnemonics of its own set; one letter more or less is another instruction.",
         ),
+        lesson=0,
     ),
     Rule(
         "RDR002",
@@ -142,6 +153,7 @@ _ROWS = (
             "一条指令由操作码和操作数组成：做什么，对谁做。",
             "An instruction is an opcode and its operand: what to do, and to which bit.",
         ),
+        lesson=0,
     ),
     Rule(
         "RDR004",
@@ -155,6 +167,7 @@ _ROWS = (
             "堆栈指令没有操作数：它们处理的是堆栈里已有的值。",
             "Stack instructions have no operand: they work on what the stack already holds.",
         ),
+        lesson=0,
     ),
     Rule(
         "RDR005",
@@ -168,6 +181,7 @@ _ROWS = (
             "地址由区域字母和编号组成，说明取哪一位。",
             "An address is the letter of an area and a number: it says which bit is meant.",
         ),
+        lesson=0,
     ),
     Rule(
         "RDR006",
@@ -181,6 +195,7 @@ _ROWS = (
             "每个区域的点数是固定的；FX的X、Y按八进制编号，X7之后是X10。",
             "Each area has a fixed size; X and Y of the FX count in octal, so X10 follows X7.",
         ),
+        lesson=0,
     ),
     Rule(
         "RDR007",
@@ -193,6 +208,8 @@ _ROWS = (
             "输入只能由现场接线改变，所以线圈不能写输入；立即指令只对输入有意义。",
             "Only the wiring changes an input, so a coil cannot write one; an immediate contact makes sense for inputs only.",
         ),
+        misconceptions=(24,),
+        lesson=0,
     ),
     Rule(
         "RDR008",
@@ -206,6 +223,7 @@ _ROWS = (
             "操作数里的数有固定范围，例如九层堆栈只能数0到8。",
             "A number operand has its range: a stack of nine levels is counted 0 to 8.",
         ),
+        lesson=0,
     ),
     Rule(
         "RDR009",
@@ -226,6 +244,7 @@ _ROWS = (
             "括号成对：打开时保存累加器，关闭时取回来合并。",
             "Parentheses come in pairs: opening saves the accumulator, closing brings it back and combines.",
         ),
+        lesson=9,
     ),
     Rule(
         "RDR011",
@@ -239,6 +258,7 @@ _ROWS = (
             "没有关闭的括号里，累加器的值一直留在括号栈里，没有人用它。",
             "While a parenthesis is open the saved value waits on its stack and nobody uses it.",
         ),
+        lesson=9,
     ),
     Rule(
         "RDR012",
@@ -252,6 +272,7 @@ _ROWS = (
             "输入映像在每个扫描开始时由端子刷新，程序写进去的值活不过一个扫描。",
             "The terminals refresh the input image at the start of each scan; what a program writes there lasts no longer.",
         ),
+        lesson=0,
     ),
     Rule(
         "RDR013",
@@ -317,6 +338,7 @@ _ROWS = (
             "各家的助记符和地址不同：同一份文本换一个机型来读，往往处处是错。",
             "Each maker has its own mnemonics and addresses; a list read as another family's is wrong almost everywhere.",
         ),
+        lesson=12,
     ),
     Rule(
         "RDR018",
@@ -343,6 +365,7 @@ _ROWS = (
             "触点和线圈一次只读写一个位；字要用比较、传送和运算指令。",
             "A contact or coil reads or writes one bit; words have their own instructions: compare, move, arithmetic.",
         ),
+        lesson=0,
     ),
     # STK: the stack, whatever the values
     Rule(
@@ -358,6 +381,7 @@ _ROWS = (
             "n blocks need n − 1 joins; one more reaches for a block that was never put on the stack.",
         ),
         (4, 12, 25),
+        lesson=7,
     ),
     Rule(
         "STK002",
@@ -372,6 +396,7 @@ _ROWS = (
             "A stack has a fixed number of levels, and what leaves at the bottom never comes back.",
         ),
         (13, 14),
+        lesson=8,
     ),
     Rule(
         "STK003",
@@ -386,6 +411,7 @@ _ROWS = (
             "Saving a branch point and fetching it come in pairs, within one circuit.",
         ),
         (9, 26),
+        lesson=8,
     ),
     Rule(
         "STK004",
@@ -399,6 +425,8 @@ _ROWS = (
             "电路块由LD开始，分支点由进栈指令保存；连接指令只能连接电路块。",
             "A block begins with an LD, a branch point is saved by a push; a join takes blocks only.",
         ),
+        misconceptions=(9,),
+        lesson=8,
     ),
     Rule(
         "STK005",
@@ -413,6 +441,7 @@ _ROWS = (
             "Every value on the stack is there to be joined or output; one left over means that a join or a pop is missing.",
         ),
         (3, 5),
+        lesson=7,
     ),
     Rule(
         "STK006",
@@ -429,6 +458,7 @@ _ROWS = (
             "A read only looks; the pop takes the branch point away and leaves the stack as it was before the push.",
         ),
         (10,),
+        lesson=8,
     ),
     Rule(
         "STK007",
@@ -443,6 +473,7 @@ _ROWS = (
             "The result is the same, with one instruction and one level more.",
         ),
         (7,),
+        lesson=7,
     ),
     Rule(
         "STK008",
@@ -457,6 +488,7 @@ _ROWS = (
             "The result is the same, with one instruction and one level more.",
         ),
         (7,),
+        lesson=7,
     ),
     Rule(
         "STK009",
@@ -471,6 +503,7 @@ _ROWS = (
             "The CPU does not clear the stack between networks; a network that begins with LD does not depend on the one before.",
         ),
         (15,),
+        lesson=2,
     ),
     Rule(
         "STK010",
@@ -485,6 +518,7 @@ _ROWS = (
             "A read or a pop replaces the top of the stack; it does not keep a copy of what was there.",
         ),
         (3, 11),
+        lesson=8,
     ),
     Rule(
         "STK011",
@@ -499,6 +533,7 @@ _ROWS = (
             "The maker limits how many blocks and branch points may wait at once; joining as you go stays below it.",
         ),
         (13, 14),
+        lesson=7,
     ),
     Rule(
         "STK012",
@@ -512,6 +547,7 @@ _ROWS = (
             "括号里的结果还没有和外面合并，这时输出或分支没有意义。",
             "Inside a parenthesis the result is not yet combined with the rest, so there is nothing to output or branch.",
         ),
+        lesson=9,
     ),
     Rule(
         "STK013",
@@ -525,6 +561,7 @@ _ROWS = (
             "复合输出指令读取几路能流而不出栈，它们还留在数据栈上，后面的指令会错用它们。",
             "A compound output reads several flows and pops none; they stay on the data stack, where what follows would misuse them.",
         ),
+        lesson=10,
     ),
     Rule(
         "STK014",
@@ -539,6 +576,7 @@ _ROWS = (
             "Each input of a counter wants a value of its own, loaded before it, the last one on top; with one too few it takes what an earlier line has left.",
         ),
         (3,),
+        lesson=5,
     ),
     Rule(
         "CHK003",
@@ -552,6 +590,52 @@ _ROWS = (
             "程序按顺序执行；先写后用，当个扫描就见效，先用后写，要等下一个扫描。",
             "A scan runs in order: a bit written before it is used acts at once, one written after acts in the next scan.",
         ),
+        lesson=2,
+    ),
+    Rule(
+        "CHK004",
+        "never-rests",
+        "warning",
+        Text(
+            "输入不变时，程序的某个输出还在每个扫描翻转，永远停不下来。是不是有一位在用自己的反？",
+            "With the inputs held, the program goes on changing from scan to scan and never rests. Does some bit work on its own opposite?",
+        ),
+        Text(
+            "一个线圈由自己的常闭触点驱动，就会一个扫描通、一个扫描断；要闪烁，用定时器。",
+            "A coil driven by its own normally closed contact is on in one scan and off in the next; for flashing there are timers.",
+        ),
+        lesson=2,
+    ),
+    # STY: right, and yet it can be written better
+    Rule(
+        "STY001",
+        "block-not-needed",
+        "info",
+        Text(
+            "从{load}到{join}这一块里的触点都是{how}，和块外面的连接一样，不必成块：{load}写成{single}，{join}去掉。",
+            "From {load} to {join} all contacts are in {how}, just as the block itself is joined, so it need not be a block: {load} becomes {single}, and {join} goes.",
+        ),
+        Text(
+            "只有串联里套着并联，或并联里套着串联，才需要电路块。",
+            "A block is needed only where parallel contacts stand in a series path, or series contacts in a parallel one.",
+        ),
+        (7,),
+        lesson=7,
+    ),
+    Rule(
+        "STY002",
+        "push-not-needed",
+        "info",
+        Text(
+            "{push}保存的值一直没有变过：到{pop}为止只有输出。去掉{push}和{pop}，几个输出直接一个接一个写，结果会变吗？",
+            "Nothing changes what {push} has saved: up to {pop} there are outputs only. Would the result be another with the outputs one after the other, without {push} and {pop}?",
+        ),
+        Text(
+            "输出不改变栈顶，下一个输出可以接着用；只有某条支路上还有触点时，才要保存分支点。",
+            "An output leaves the top as it is, for the next one to use; a branch point is saved only where some branch has contacts of its own.",
+        ),
+        (8,),
+        lesson=8,
     ),
     # COI: the program as a whole
     Rule(
@@ -567,6 +651,7 @@ _ROWS = (
             "Two coils of one bit are no OR: the later one overwrites what the earlier one wrote.",
         ),
         (20,),
+        lesson=3,
     ),
     Rule(
         "COI002",
@@ -580,6 +665,7 @@ _ROWS = (
             "每个正跳变、负跳变都要有自己的记忆位，否则比较的是别人的旧值。",
             "Each edge needs a bit of its own to remember the last flow; shared, it compares with somebody else's.",
         ),
+        lesson=3,
     ),
     Rule(
         "COI003",
@@ -593,6 +679,7 @@ _ROWS = (
             "MC和MCR成对：MC之后的触点接在主控的母线上，MCR才回到原来的母线。",
             "MC and MCR come in pairs: contacts after MC hang on its own rail, and MCR goes back to the one before.",
         ),
+        lesson=8,
     ),
     Rule(
         "COI004",
@@ -606,6 +693,7 @@ _ROWS = (
             "MCR结束的是同一编号的MC；没有打开的主控就没有什么可以结束。",
             "An MCR ends the MC with its own number; where none is open there is nothing to end.",
         ),
+        lesson=8,
     ),
     Rule(
         "COI005",
@@ -619,6 +707,7 @@ _ROWS = (
             "主控按编号嵌套：外层N0，里层N1……；MCR N0会把里面的各层一起结束。",
             "Master controls nest by number, N0 outside, then N1; MCR N0 ends all that are open inside it.",
         ),
+        lesson=8,
     ),
     Rule(
         "COI006",
@@ -632,6 +721,7 @@ _ROWS = (
             "步本身就是一段有条件的母线，两种母线不能这样套在一起。",
             "A step is a rail with a condition already, and the two kinds of rail do not nest this way.",
         ),
+        lesson=8,
     ),
     Rule(
         "COI007",
@@ -659,6 +749,21 @@ _ROWS = (
             "After the last step RET goes back to the rail; without it, all that follows has power in that step only.",
         ),
     ),
+    Rule(
+        "COI009",
+        "output-without-a-contact",
+        "error",
+        Text(
+            "{word}写在本{unit}的最前面，前面没有触点：输出不能直接接在左母线上。应该由哪个条件接通它？{always}",
+            "{word} stands at the very beginning of this {unit}, before any contact, and no output hangs right on the left rail. Which condition is to switch it?{always}",
+        ),
+        Text(
+            "输出指令把栈顶的值送给线圈；前面没有触点，那里就没有本梯级自己的值。",
+            "An output hands the top of the stack to its coil; with no contact before it there is no value of its own to hand over.",
+        ),
+        misconceptions=(15,),
+        lesson=2,
+    ),
     # TMR: timers by their numbers
     Rule(
         "TMR001",
@@ -672,6 +777,7 @@ _ROWS = (
             "定时器的编号决定它是否有记忆、分辨率是多少，指令要与编号相配。",
             "A timer's number decides whether it is retentive and what it counts in, and the instruction must go with it.",
         ),
+        lesson=4,
     ),
     Rule(
         "TMR002",
@@ -685,6 +791,7 @@ _ROWS = (
             "一个编号只有一个当前值和一个位；两种定时器用同一个编号，互相改写。",
             "A number has one current value and one bit; two kinds of timer that share it overwrite each other.",
         ),
+        lesson=4,
     ),
     Rule(
         "TMR003",
@@ -699,6 +806,7 @@ _ROWS = (
             "Only a 100 ms timer is brought up to date at its own instruction; 1 ms and 10 ms timers want a bit of memory between.",
         ),
         (22,),
+        lesson=4,
     ),
     # BOX: ladder boxes that become two instructions
     Rule(
@@ -714,6 +822,7 @@ _ROWS = (
             "A box is split into two instructions; where OUT's bytes overlap IN2's and IN1 is not OUT itself, the result is another one.",
         ),
         (27,),
+        lesson=10,
     ),
     Rule(
         "BOX002",
@@ -728,6 +837,7 @@ _ROWS = (
             "Where IN2 is OUT and the operation cannot be turned round, or they overlap in part, a word in between is needed.",
         ),
         (27,),
+        lesson=10,
     ),
     # EXP, CFG, BLK: words in brackets, the configuration of function blocks, and their sections
     Rule(
@@ -742,6 +852,7 @@ _ROWS = (
             "方括号里是一个运算或一个比较，只有一个运算符：[%MW0 := %MW1 + 5]、[%MW0 > 10]。",
             "Brackets hold one operation or one comparison, with a single operator: [%MW0 := %MW1 + 5], [%MW0 > 10].",
         ),
+        lesson=6,
     ),
     Rule(
         "CFG001",
@@ -754,6 +865,7 @@ _ROWS = (
             "功能块的类型、时基、预设值等在程序之前设好，例如 %TM0: TYPE=TON TB=1s P=5。",
             "Type, time base, preset of a block are settled before the program begins, as in %TM0: TYPE=TON TB=1s P=5.",
         ),
+        lesson=6,
     ),
     Rule(
         "CFG002",
@@ -764,6 +876,7 @@ _ROWS = (
             "每一项设置都有规定的取值；预设值在0到9999之间，时基有五种。",
             "Each setting has the values it may take: a preset lies between 0 and 9999, and there are five time bases.",
         ),
+        lesson=6,
     ),
     Rule(
         "CFG003",
@@ -777,6 +890,7 @@ _ROWS = (
             "鼓形控制器每一步的控制位和输出一一对应。",
             "In every step of a drum there is one control bit for each output.",
         ),
+        lesson=6,
     ),
     Rule(
         "CFG004",
@@ -790,6 +904,7 @@ _ROWS = (
             "设置在程序运行之前就生效，和它写在哪个梯级旁边无关，所以都写在最前面。",
             "A configuration holds before the program runs, wherever it stands, so all of them stand at the beginning.",
         ),
+        lesson=6,
     ),
     Rule(
         "CFG005",
@@ -800,6 +915,7 @@ _ROWS = (
             "{word} has been configured in row {row} already. Which one counts?",
         ),
         Text("一个功能块只有一组设置。", "A block has one configuration."),
+        lesson=6,
     ),
     Rule(
         "CFG006",
@@ -810,6 +926,7 @@ _ROWS = (
             "鼓形控制器既要知道驱动哪些输出（OUT），也要知道每一步各是多少（STEPS）。",
             "A drum must know which outputs it drives (OUT) and what they are in every step (STEPS).",
         ),
+        lesson=6,
     ),
     Rule(
         "CFG007",
@@ -823,6 +940,7 @@ _ROWS = (
             "ADJ说明预设值能不能改：Y可以改，N不可以。",
             "ADJ says whether the preset may be changed: Y it may, N it may not.",
         ),
+        lesson=6,
     ),
     Rule(
         "CFG008",
@@ -836,6 +954,7 @@ _ROWS = (
             "鼓形控制器的输出不写在梯级里，而写在它的设置里。",
             "What a drum drives stands in no rung but in its configuration.",
         ),
+        lesson=6,
     ),
     Rule(
         "BLK001",
@@ -846,6 +965,7 @@ _ROWS = (
             "{word} begins while {block} is still open. Should an END_BLK stand before it?",
         ),
         Text("功能块一个接一个写，不能套在一起。", "Blocks stand one after the other, never inside each other."),
+        lesson=6,
     ),
     Rule(
         "BLK002",
@@ -859,6 +979,7 @@ _ROWS = (
             "功能块在OUT_BLK处才动作；在那之前它的输出还是上一个扫描周期的。",
             "A block acts at OUT_BLK; before it, its outputs are still those of the last scan.",
         ),
+        lesson=6,
     ),
     Rule(
         "BLK003",
@@ -869,6 +990,7 @@ _ROWS = (
             "BLK打开一个功能块，OUT_BLK转到它的输出，END_BLK结束它。",
             "BLK opens a block, OUT_BLK turns to its outputs, END_BLK ends it.",
         ),
+        lesson=6,
     ),
     Rule(
         "BLK004",
@@ -879,6 +1001,7 @@ _ROWS = (
             "每种功能块有自己的输入和输出：定时器是IN和Q，计数器是R、S、CU、CD和E、D、F。",
             "Each kind of block has its own pins: a timer IN and Q, a counter R, S, CU, CD and E, D, F.",
         ),
+        lesson=6,
     ),
     Rule(
         "BLK005",
@@ -889,6 +1012,7 @@ _ROWS = (
             "{word} comes too late: {block} has acted at OUT_BLK. Move it above OUT_BLK.",
         ),
         Text("输入在OUT_BLK之前，输出在它之后。", "Inputs stand before OUT_BLK, outputs after it."),
+        lesson=6,
     ),
     Rule(
         "BLK006",
@@ -902,6 +1026,7 @@ _ROWS = (
             "BLK和END_BLK之间只有这个功能块的输入和输出；跳进跳出会让它只动作一半。",
             "Between BLK and END_BLK stand the inputs and outputs of this block alone; a jump would let it act by half.",
         ),
+        lesson=6,
     ),
     Rule(
         "BLK007",
@@ -912,6 +1037,7 @@ _ROWS = (
             "没有END_BLK，后面的R、S等都会被当成这个功能块的输入。",
             "Without END_BLK an R or S below would be taken for its input.",
         ),
+        lesson=6,
     ),
     Rule(
         "BLK008",
@@ -925,6 +1051,7 @@ _ROWS = (
             "只有在BLK和END_BLK之间，输入的名字才能单独写。",
             "Only between BLK and END_BLK can the name of an input stand alone.",
         ),
+        lesson=6,
     ),
     Rule(
         "BLK009",
@@ -939,6 +1066,7 @@ _ROWS = (
             "A shift register does not fill itself; ST or S must put something into one of its bits.",
         ),
         (28,),
+        lesson=6,
     ),
     # JMP: where a program goes on
     Rule(
@@ -1021,6 +1149,7 @@ _ROWS = (
             "What enters at the bottom when the stack moves up is unknown; a sound program never uses it.",
         ),
         (4, 12, 13),
+        lesson=1,
     ),
     Rule(
         "RUN002",
@@ -1060,6 +1189,7 @@ _ROWS = (
             "步进计数器有256位，从第0步到第255步；到了头不会绕回去。",
             "A step counter has 256 steps, 0 to 255, and does not go round at either end.",
         ),
+        lesson=6,
     ),
     # CHK: beside the reference
     Rule(
@@ -1074,6 +1204,7 @@ _ROWS = (
             "多驱动一个输出，现场就可能多动一台设备。",
             "One output too many, and on the plant something moves that nobody asked for.",
         ),
+        lesson=11,
     ),
     Rule(
         "CHK002",
@@ -1083,6 +1214,7 @@ _ROWS = (
             "程序没有写{address}，参考梯形图里有它。", "The program never writes {address}; the reference ladder does."
         ),
         Text("没有写的输出一直是0。", "An output that is never written stays 0."),
+        lesson=11,
     ),
     # DRW: reading a ladder drawing or a one-line rung
     Rule(
@@ -1097,6 +1229,7 @@ _ROWS = (
             "图里只有导线 - | +、触点 [ ]、线圈 ( ) 和方框 { }。",
             "A drawing has wires - | +, contacts [ ], coils ( ) and boxes { }.",
         ),
+        lesson=11,
     ),
     Rule(
         "DRW002",
@@ -1110,6 +1243,7 @@ _ROWS = (
             "触点写成 [ I0.0 ]，线圈写成 ( Q0.0 )，方框写成 { TON T37, 50 }，左右括号在同一行。",
             "A contact is [ I0.0 ], a coil ( Q0.0 ), a box { TON T37, 50 }, both brackets on one row.",
         ),
+        lesson=11,
     ),
     Rule(
         "DRW003",
@@ -1125,6 +1259,7 @@ _ROWS = (
             "A contact looks at one bit (open, closed, rising, falling) or compares two words; [NOT], [P] and [N] work on the "
             "flow from the left.",
         ),
+        lesson=11,
     ),
     Rule(
         "DRW004",
@@ -1139,6 +1274,7 @@ _ROWS = (
             "一个线圈写一个位；置位和复位还可以写出位数（1–255）。",
             "A coil writes one bit; set and reset may say over how many bits (1 to 255).",
         ),
+        lesson=11,
     ),
     Rule(
         "DRW005",
@@ -1154,6 +1290,7 @@ _ROWS = (
             "A box holds one instruction as a list has it; where it has several inputs, the name of this row's input and a "
             "colon come first.",
         ),
+        lesson=11,
     ),
     Rule(
         "DRW006",
@@ -1167,6 +1304,7 @@ _ROWS = (
             "竖线用 | 对准上下两个 +，横线中间不能有空格。",
             "A | stands exactly below a +, and a wire along a row has no gap in it.",
         ),
+        lesson=11,
     ),
     Rule(
         "DRW007",
@@ -1180,6 +1318,7 @@ _ROWS = (
             "每条支路从左母线出发，最后到一个线圈或方框。",
             "Every path starts at the left rail and ends in a coil or a box.",
         ),
+        lesson=11,
     ),
     Rule(
         "DRW008",
@@ -1193,6 +1332,7 @@ _ROWS = (
             "能流从左母线向右流；左边没有接线，就永远没有能流。",
             "Power flows from the left rail to the right; with nothing on the left there is never any.",
         ),
+        lesson=11,
     ),
     Rule(
         "DRW009",
@@ -1206,6 +1346,7 @@ _ROWS = (
             "指令表一块一块地串联、并联；桥式电路没有这样的块，要先改画。",
             "An instruction list joins block after block in series or in parallel; a bridge has no such blocks.",
         ),
+        lesson=11,
     ),
     Rule(
         "DRW010",
@@ -1216,6 +1357,7 @@ _ROWS = (
             "A wire leads straight past {word}, which then makes no difference. Is that wire meant?",
         ),
         Text("并联一条没有触点的导线，就是短接。", "A parallel wire without a contact is a short circuit."),
+        lesson=11,
     ),
     Rule(
         "DRW011",
@@ -1229,6 +1371,7 @@ _ROWS = (
             "线圈和方框右边只有右母线；几个输出要上下并联。",
             "Right of a coil or box there is only the right rail; several outputs stand below each other.",
         ),
+        lesson=11,
     ),
     Rule(
         "DRW012",
@@ -1242,6 +1385,7 @@ _ROWS = (
             "一级梯形图通常只有几行；过大的文本多半不是图。",
             "A rung has a few rows; a text of this size is most likely something else.",
         ),
+        lesson=11,
     ),
     Rule(
         "DRW013",
@@ -1255,6 +1399,7 @@ _ROWS = (
             "一行式写成 (I0.0 + Q0.0) · /I0.1 -> Q0.0：先写条件，再写箭头和输出。",
             "On one line a rung is (I0.0 + Q0.0) · /I0.1 -> Q0.0: the condition, an arrow, the outputs.",
         ),
+        lesson=11,
     ),
     Rule(
         "DRW014",
@@ -1267,6 +1412,7 @@ _ROWS = (
         Text(
             "没有哪个PLC的堆栈有这么多层，人也看不清。", "No PLC has a stack that deep, and no reader could follow it."
         ),
+        lesson=11,
     ),
     Rule(
         "DRW015",
@@ -1280,6 +1426,7 @@ _ROWS = (
             "一级梯形图至少有一个线圈或方框，左边是它的条件。",
             "A rung has at least a coil or a box, with its condition on the left.",
         ),
+        lesson=11,
     ),
     Rule(
         "DRW016",
@@ -1294,6 +1441,7 @@ _ROWS = (
             "+ 只和正上方、正下方的 + 或 | 相连，差一列就没有接上。",
             "A + meets only the + or | right above or below it; one column aside, and nothing is joined.",
         ),
+        lesson=11,
     ),
     Rule(
         "DRW017",
@@ -1308,6 +1456,7 @@ _ROWS = (
             "横线要接到竖线上，交点处写 +；只靠在旁边不算接上。",
             "Where a wire joins one above or below, a + stands; being near is not being joined.",
         ),
+        lesson=11,
     ),
     Rule(
         "DRW018",
@@ -1321,6 +1470,7 @@ _ROWS = (
             "方框有几个输入时，第一个输入在方框那一行，其余的在正下面，每个一行。",
             "Where a box has several inputs, the first is on the row of the box and the others right below it, a row each.",
         ),
+        lesson=11,
     ),
     Rule(
         "DRW019",
@@ -1334,6 +1484,7 @@ _ROWS = (
             "方框的每个输入各有自己的条件，在指令表里各由一条新的装载指令开始。",
             "Each input of a box has its own condition, and in the list each begins with a load.",
         ),
+        lesson=11,
     ),
     Rule(
         "DRW020",
@@ -1347,6 +1498,7 @@ _ROWS = (
             "它的几个输入一起留在堆栈里等它用，后面的输出就取不到自己要的值。",
             "Its inputs lie on the stack together until it takes them, so an output after it would not find its own value.",
         ),
+        lesson=11,
     ),
     # LAD: lists that are no ladder, and what a program editor would not show as one
     Rule(
@@ -1362,6 +1514,7 @@ _ROWS = (
             "梯形图里的能流都从左母线经过触点而来；没有来处的值画不出来。",
             "In a ladder all power comes from the left rail through contacts; a value from nowhere cannot be drawn.",
         ),
+        lesson=11,
     ),
     Rule(
         "LAD002",
@@ -1376,6 +1529,7 @@ _ROWS = (
             "梯形图的输出都在最右边，它后面的线不能再和别的电路块连起来。",
             "In a ladder outputs stand at the far right; no wire comes back from one to be joined with another block.",
         ),
+        lesson=11,
     ),
     Rule(
         "LAD003",
@@ -1390,6 +1544,7 @@ _ROWS = (
             "梯形图从上到下执行；回到上面的支路，就不再是原来的顺序了。",
             "A ladder is executed from top to bottom; to go back to a path above would be another order.",
         ),
+        lesson=11,
     ),
     Rule(
         "LAD004",
@@ -1405,6 +1560,7 @@ _ROWS = (
             "A value that a list reads once and uses twice needs two contacts in a ladder, and they differ if the bit is "
             "written in between.",
         ),
+        lesson=11,
     ),
     Rule(
         "LAD005",
@@ -1419,6 +1575,7 @@ _ROWS = (
             "取反和沿在线上作用于从左母线来的全部能流。",
             "NOT and an edge on the wire act on the whole flow from the left rail.",
         ),
+        lesson=11,
     ),
     Rule(
         "LAD006",
@@ -1433,6 +1590,7 @@ _ROWS = (
             "没有人能读这么大的一级梯形图；指令表照样可以运行。",
             "Nobody can read a rung of that size; as a list it runs all the same.",
         ),
+        lesson=11,
     ),
     Rule(
         "LAD007",
@@ -1447,6 +1605,7 @@ _ROWS = (
             "在这种编程软件里，一个网络就是一级；程序照样运行，只是看不到梯形图。",
             "In that editor one network is one rung. The program runs all the same; only its ladder is not shown.",
         ),
+        lesson=11,
     ),
     Rule(
         "LAD008",
@@ -1461,6 +1620,7 @@ _ROWS = (
             "出栈之后的支路在它的输出处结束；要再分支，应当先入栈。",
             "The branch behind a pop ends at its output; to part once more there, the flow has to be pushed first.",
         ),
+        lesson=11,
     ),
     Rule(
         "LAD009",
@@ -1475,6 +1635,7 @@ _ROWS = (
             "标号、循环结束、顺序段的开始和结束直接接在左母线上。",
             "Labels, the end of a loop, and the ends of a segment hang on the left rail itself.",
         ),
+        lesson=11,
     ),
     Rule(
         "LAD010",
@@ -1488,6 +1649,7 @@ _ROWS = (
             "一级梯形图从左母线上的一个触点开始。",
             "A rung begins with a contact at the left rail.",
         ),
+        lesson=11,
     ),
     Rule(
         "LAD011",
@@ -1501,6 +1663,7 @@ _ROWS = (
             "一级梯形图以线圈或功能框结束。",
             "A rung ends with a coil or a box.",
         ),
+        lesson=11,
     ),
     Rule(
         "LAD012",
@@ -1515,6 +1678,7 @@ _ROWS = (
             "梯形图里只有通到线圈或功能框的部分。",
             "A ladder shows only what leads to a coil or a box.",
         ),
+        lesson=3,
     ),
     Rule(
         "LAD013",
@@ -1529,6 +1693,7 @@ _ROWS = (
             "沿指令每执行一次就改写一次它的位；执行两次，第二次就看不到沿了。",
             "Each time the edge is executed it writes its bit; the second time there is no edge left to see.",
         ),
+        lesson=3,
     ),
     Rule(
         "LAD014",
@@ -1543,6 +1708,7 @@ _ROWS = (
             "A ladder shows only what leads to a coil or a box; a block that nothing joins is left on the stack, and nobody uses it.",
         ),
         (3, 5),
+        lesson=11,
     ),
     # SYM: symbol tables
     Rule(
@@ -2011,6 +2177,183 @@ _ROWS = (
             "不是每一张梯形图都能写成指令；各家能写的也不一样。",
             "Not every ladder can be written as instructions, and each family's can do something else.",
         ),
+    ),
+    Rule(
+        "HND001",
+        "file-packed",
+        "error",
+        Text(
+            "这是一个压缩文件（{kind}）。先解压，再批改里面的程序，好吗？",
+            "This is an archive ({kind}). Unpack it first, and grade the program in it?",
+        ),
+        Text(
+            "plcteach不解压文件：里面有什么，应当由人先看一眼。",
+            "plcteach unpacks nothing: what is inside should be seen by a person first.",
+        ),
+    ),
+    Rule(
+        "HND002",
+        "nothing-handed-in",
+        "error",
+        Text(
+            "这个文件夹里没有文件。程序交上来了吗？",
+            "There is no file in this folder. Was the program handed in?",
+        ),
+        Text(
+            "没有交程序的人也留在名单里，得0分，这样名单是完整的。",
+            "Who handed in nothing stays in the list with 0 marks, so that the list is complete.",
+        ),
+    ),
+    Rule(
+        "HND003",
+        "judging-stopped",
+        "error",
+        Text(
+            "这份程序没能批改完（{reason}）。请老师亲自看一看。",
+            "This program could not be judged to the end ({reason}). Please look at it yourself.",
+        ),
+        Text(
+            "一份批改不完的程序不能拖住全班，所以到时间就停下来，并且说明。",
+            "One program must not keep a class waiting, so it is stopped after a while, and this says so.",
+        ),
+    ),
+    # KND: answers to the kinds of exercises
+    Rule(
+        "KND001",
+        "given-line-missing",
+        "error",
+        Text(
+            "题目给出的“{line}”不在这里，或者顺序变了。只填____的地方，其余的行保留，好吗？",
+            "The line {line} was given, and it is missing here or stands elsewhere. Can the given lines stay, and only ____ be filled?",
+        ),
+        Text(
+            "填空题给出的行就是线索：缺的那几行必须和它们配合。",
+            "The lines that are given are the clue: the missing ones have to go with them.",
+        ),
+    ),
+    Rule(
+        "KND002",
+        "line-not-offered",
+        "error",
+        Text(
+            "“{line}”不在给出的行里。能只用给出的行排出来吗？",
+            "{line} is not among the lines that are offered. Can it be done with those alone?",
+        ),
+        Text(
+            "排序题只练一件事：先后次序。指令都已经写好了。",
+            "Putting lines in order is about one thing, the order; the instructions are there already.",
+        ),
+    ),
+    Rule(
+        "KND003",
+        "line-too-often",
+        "error",
+        Text(
+            "“{line}”只给出{times}，这里用得更多。哪一处多余？",
+            "{line} is offered {times}, and here it is used more often. Which one is too many?",
+        ),
+        Text(
+            "每一行给出几次，就最多用几次；不属于程序的行可以不用。",
+            "Each line may be used as often as it is offered; lines that do not belong may be left over.",
+        ),
+    ),
+    Rule(
+        "KND004",
+        "rows-counted",
+        "warning",
+        Text(
+            "这里填了{got}行，而程序有{wanted}条指令：一条指令一行。",
+            "There are {got} rows, and the list has {wanted} instructions: one row each.",
+        ),
+        Text(
+            "每执行一条指令，堆栈就变成新的样子，所以每条指令都有一行。",
+            "After each instruction the stack is a new one, so each has a row of its own.",
+        ),
+    ),
+    Rule(
+        "KND005",
+        "value-unread",
+        "warning",
+        Text(
+            "“{word}”读不成这里的值。请写0、1、x，空的写 . ，好吗？",
+            "{word} does not read as a value. Could it be 0, 1 or x, or . for an empty place?",
+        ),
+        Text(
+            "一位只有0和1；x表示谁也不知道它是几。",
+            "A bit is 0 or 1; an x says that nobody knows which.",
+        ),
+    ),
+    Rule(
+        "KND006",
+        "blocks-unread",
+        "error",
+        Text(
+            "这里应写两段指令的行号，例如 1-2 3-4。哪两段？",
+            "Two stretches of instruction numbers are expected, such as 1-2 3-4. Which two?",
+        ),
+        Text(
+            "连接指令总是连接两个电路块，每一块是一段连续的指令。",
+            "A join always connects two blocks, and each of them is a stretch of instructions.",
+        ),
+    ),
+    Rule(
+        "KND007",
+        "choice-unread",
+        "error",
+        Text(
+            "这里应写一个字母，从A到{last}。选哪一个？",
+            "A letter from A to {last} is expected. Which one is it?",
+        ),
+        Text(
+            "只有一个梯形图和这个程序作用相同。",
+            "Only one of the ladders does what the list does.",
+        ),
+    ),
+    Rule(
+        "KND008",
+        "track-unread",
+        "warning",
+        Text(
+            "这一行应以要填的地址开头：{wanted}。这里是哪一个？",
+            "A row begins with the address that is asked for: {wanted}. Which one is this?",
+        ),
+        Text(
+            "时序图里一个地址一行。",
+            "A timing chart has one row for each address.",
+        ),
+    ),
+    Rule(
+        "KND009",
+        "signs-counted",
+        "warning",
+        Text(
+            "{address}有{got}个值，而一共有{wanted}个扫描：一个扫描一个值。",
+            "{address} has {got} values, and there are {wanted} scans: one value each.",
+        ),
+        Text(
+            "输出在每个扫描结束时写出一次，所以每个扫描有一个值。",
+            "Outputs are written once, at the end of each scan; so each scan has one value.",
+        ),
+    ),
+    Rule(
+        "KND010",
+        "answer-too-long",
+        "error",
+        Text(
+            "这个答案太长（{size}个字符），读到{most}个为止。是不是贴错了内容？",
+            "The answer is too long ({size} characters; {most} are read). Was something else pasted here?",
+        ),
+        Text(
+            "这一类题的答案只有几行。",
+            "An answer of this kind has a few short rows.",
+        ),
+    ),
+    Rule(
+        "KND011",
+        "nothing-answered",
+        "error",
+        Text("还没有填。从第一行开始吧？", "Nothing is filled in yet. What comes first?"),
+        Text("空着的答案没有什么可以判断。", "There is nothing to judge in an empty answer."),
     ),
 )
 

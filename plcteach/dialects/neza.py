@@ -261,6 +261,11 @@ NEZA = Dialect(
     ),
     samples=(
         Sample("COI001", "LD %I0.0; ST %Q0.0; LD %I0.1; ST %Q0.0", "LD %I0.0; OR %I0.1; ST %Q0.0"),
+        Sample("COI009", "ST %Q0.0", "LD %I0.0; ST %Q0.0"),
+        Sample("STY001", "LD %I0.0; AND( %I0.1; ANDN %I0.2; ); ST %Q0.0", "LD %I0.0; AND %I0.1; ANDN %I0.2; ST %Q0.0"),
+        Sample("STY002", "LD %I0.0; MPS; ST %Q0.0; MPP; ST %Q0.1", "LD %I0.0; ST %Q0.0; ST %Q0.1"),
+        Sample("STK007", "LD %I0.0; OR( %I0.1; ); ST %Q0.0", "LD %I0.0; OR %I0.1; ST %Q0.0"),
+        Sample("STK008", "LD %I0.0; AND(N %I0.1; ); ST %Q0.0", "LD %I0.0; ANDN %I0.1; ST %Q0.0"),
         Sample("STK003", "LD %I0.0; AND %I0.1; ST %Q0.0; MPP; AND %I0.2; ST %Q0.1", "LD %I0.0; MPS; AND %I0.1; ST %Q0.0; MPP; AND %I0.2; ST %Q0.1"),
         Sample("STK005", "LD %I0.0; MPS; AND %I0.1; ST %Q0.0", "LD %I0.0; MPS; AND %I0.1; ST %Q0.0; MPP; ST %Q0.1"),
         Sample(

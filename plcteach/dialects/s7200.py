@@ -273,6 +273,10 @@ S7_200 = Dialect(
     ),
     samples=(
         Sample("COI001", "LD I0.0; = Q0.0; LD I0.1; = Q0.0", "LD I0.0; O I0.1; = Q0.0"),
+        Sample("COI009", "= Q0.0", "LD I0.0; = Q0.0"),
+        Sample("STY001", "LD I0.0; O I0.3; LD I0.1; AN I0.2; ALD; = Q0.0", "LD I0.0; O I0.3; A I0.1; AN I0.2; = Q0.0"),
+        Sample("STY001", "LD I0.0; A I0.3; LD I0.1; O I0.2; OLD; = Q0.0", "LD I0.0; A I0.3; O I0.1; O I0.2; = Q0.0"),
+        Sample("STY002", "LD I0.0; LPS; = Q0.0; LRD; = Q0.1; LPP; = Q0.2", "LD I0.0; = Q0.0; = Q0.1; = Q0.2"),
         Sample("STK001", "LD I0.0; A I0.1; LD I0.2; A I0.3; OLD; OLD; = Q0.0", "LD I0.0; A I0.1; LD I0.2; A I0.3; OLD; = Q0.0"),
         Sample(
             "STK002",
@@ -304,7 +308,7 @@ S7_200 = Dialect(
         Sample("RDR001", "LD I0.0; ADN I0.1; = Q0.0", "LD I0.0; AN I0.1; = Q0.0"),
         Sample("RDR002", "LD I0.0; PID VB100, 0", "LD I0.0; = Q0.0"),
         Sample("RDR003", "LD I0.0; A; = Q0.0", "LD I0.0; A I0.1; = Q0.0"),
-        Sample("RDR004", "LD I0.0; LPS 1; = Q0.0; LPP; = Q0.1", "LD I0.0; LPS; = Q0.0; LPP; = Q0.1"),
+        Sample("RDR004", "LD I0.0; LPS 1; A I0.1; = Q0.0; LPP; = Q0.1", "LD I0.0; LPS; A I0.1; = Q0.0; LPP; = Q0.1"),
         Sample("RDR005", "LD I00; = Q0.0", "LD I0.0; = Q0.0"),
         Sample("RDR006", "LD I0.8; = Q0.0", "LD I1.0; = Q0.0"),
         Sample("RDR007", "LDI M0.0; = Q0.0", "LDI I0.0; = Q0.0"),

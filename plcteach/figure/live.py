@@ -198,10 +198,11 @@ class Watch:
         return found
 
     def found(self) -> list[dict[str, str]]:
-        """Give what there is to say of the run so far: an x at an output, a loop that ran away, a fault of the plant."""
+        """Give what there is to say of the run so far: an x at an output, a loop that ran away, a fault, another output than recorded."""
         faults = self.model.faults if self.model else ()
         said = [one.text for one in self.live.recorder.found.values()]
         said += [_FAULT.format(time=f"{fault.ms / 1000:.2f} s", says=fault.says) for fault in faults]
+        said += [one.text for one in self.live.differs]
         return [one.as_dict() for one in said]
 
     def film(self, scan: Scan[Column]) -> str:

@@ -19,6 +19,9 @@ if TYPE_CHECKING:
 MOST_PHASES = 100_000
 """All rows of a timeline together may have so many phases, repetitions written out."""
 
+HAND = "@"
+"""What stands before the symbol of a plant's button."""
+
 _MOST = counted(MOST_PHASES, "段", "phases")
 _DEEPEST = 8
 _STATES = dict.fromkeys(("on", "通", "接通", "开", "true"), 1) | dict.fromkeys(("off", "断", "断开", "关", "false"), 0)
@@ -30,6 +33,8 @@ _PHASE = re.compile(
 _NUMBER = re.compile(r"[+-]?[0-9]{1,10}")
 _PARTS = re.compile(r"(?P<open>[^,()]*\()|(?P<close>\))|(?P<comma>,)|(?P<phase>[^,()]+)")
 _COUNT = re.compile(r"([0-9]{1,12})\s*[x*次]?\s*\(", re.IGNORECASE)
+_SEEN = re.compile(r"\s*=")
+_HAND = re.compile(r"@\w{1,24}")
 _COLON = re.compile(r":(?!X[0-9])", re.IGNORECASE)
 _BIT = Text("是一位，只有通和断", "is one bit, on or off")
 _SHOWN = 24
@@ -47,11 +52,15 @@ class Piece:
 
 @dataclass(frozen=True, slots=True)
 class Row:
-    """An address with its phases in order, repetitions written out, and where its row stands."""
+    """An address with its phases in order, repetitions written out, and where its row stands.
+
+    mark: "=" before an address that is only looked at, "@" before a button of a plant that no input sees.
+    """
 
     address: Address
     pieces: tuple[Piece, ...]
     span: Span
+    mark: str = ""
 
 
 def read_rows(text: str, dialect: Dialect) -> tuple[list[Row], list[Diagnostic]]:
@@ -127,19 +136,24 @@ class _Reading:
             example = f"{self.dialect.areas[0].first}: 1s off, 0.2s on, off"
             self.say("TIM001", row.span, word=row.shown, example=example)
             return
-        address = self.address(_Stretch(row.number, row.plain, row.first, colon.start()))
+        seen = _SEEN.match(row.plain, row.first, colon.start())
+        address = self.address(_Stretch(row.number, row.plain, seen.end() if seen else row.first, colon.start()))
         if address is None:
             return
-        if address.text in self.rows:
-            self.say("TIM008", row.span, address=address.text, row=self.rows[address.text].span.row)
+        mark = "=" if seen else address.area if address.area == HAND else ""
+        key = "=" * bool(seen) + address.text
+        if key in self.rows:
+            self.say("TIM008", row.span, address=address.text, row=self.rows[key].span.row)
             return
         pieces = self.pieces(address, _Stretch(row.number, row.plain, colon.end(), row.last))
         if pieces:
-            self.rows[address.text] = Row(address, tuple(pieces), row.span)
+            self.rows[key] = Row(address, tuple(pieces), row.span, mark)
         elif not row.plain[colon.end() : row.last].strip():
             self.say("TIM003", row.span, word=row.shown)
 
     def address(self, word: _Stretch) -> Address | None:
+        if _HAND.fullmatch(word.text):
+            return Address(HAND, 0, word.text)
         found = self.dialect.address(word.text)
         if isinstance(found, Address) and found.size:
             return found

@@ -3,6 +3,9 @@
 A row is an address, a colon and phases: a length and a state, or a repetition `3 x (0.5s on, 0.5s off)`. Only the last phase
 may go without a length; it lasts to the end. A state is kept until the next one, and an input that no row names stays 0. The
 run ends 1 s after the last change, and never before a phase with a length is over.
+
+A recording also says what was seen, `= Q0.0: 1s off, on`, so that another run can be held against it, and what a hand did at a
+plant where no input sees it, `@W: 3s off, on`.
 """
 
 from __future__ import annotations
@@ -17,7 +20,7 @@ from plcteach.core.diagnostic import Diagnostic, few, rule
 from plcteach.core.source import Span
 from plcteach.core.text import Text
 from plcteach.dialects import dialect as find_dialect
-from plcteach.machine.phases import read_rows
+from plcteach.machine.phases import HAND, read_rows
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator, Mapping
@@ -42,7 +45,7 @@ class Phase:
 
 @dataclass(frozen=True, slots=True)
 class Course:
-    """What one input does: its phases in order, the first at 0 ms, and where its last stated length ends."""
+    """What one address does: its phases in order, the first at 0 ms, and where its last stated length ends."""
 
     address: str
     phases: tuple[Phase, ...]
@@ -55,15 +58,29 @@ class Course:
         """Give its state at a moment."""
         return self.phases[bisect_right(self.phases, ms, key=lambda phase: phase.start_ms) - 1].value
 
+    def tells(self, ms: int) -> bool:
+        """Say whether it says anything of a moment: not after its last phase, if that has a length."""
+        return ms < self.stop_ms or self.stop_ms == self.phases[-1].start_ms
+
+    def written(self) -> str:
+        """Write it as the row of a timeline."""
+        phases = [*self.phases]
+        return row_text(self.address, phases, self.stop_ms if self.stop_ms > phases[-1].start_ms else None)
+
 
 @dataclass(frozen=True, slots=True)
 class Timeline:
-    """The courses of all inputs, until when they are run, how long a scan lasts, and everything that was found."""
+    """The courses of all inputs, until when they are run, how long a scan lasts, and everything that was found.
+
+    seen: what addresses held when it was recorded.  hands: buttons of a plant that no input sees, "@" before their symbols.
+    """
 
     rows: tuple[Course, ...]
     until_ms: int
     scan_ms: int = SCAN_MS
     diagnostics: tuple[Diagnostic, ...] = ()
+    seen: tuple[Course, ...] = ()
+    hands: tuple[Course, ...] = ()
 
     def __repr__(self) -> str:
         return f"Timeline({', '.join(row.address for row in self.rows)}; {self.until_ms} ms)"
@@ -71,6 +88,16 @@ class Timeline:
     def at(self, ms: int) -> dict[str, int]:
         """Give the state of every input at a moment."""
         return {row.address: row.at(ms) for row in self.rows}
+
+    def by_hand(self, ms: int) -> dict[str, int]:
+        """Give the state of every input and of every button that no input sees at a moment."""
+        return {row.address: row.at(ms) for row in (*self.rows, *self.hands)}
+
+    @property
+    def text(self) -> str:
+        """The same as a text that reads as this timeline."""
+        rows = [one.written() for one in (*self.rows, *self.hands)]
+        return "\n".join([*rows, *(f"= {one.written()}" for one in self.seen)])
 
     def scans(self) -> Iterator[dict[str, int]]:
         """Give for each scan the inputs that have changed (all start from 0), as `run` wants them.
@@ -101,7 +128,7 @@ def timeline(text: str, dialect: str | Dialect, *, scan_ms: int = SCAN_MS, until
         msg = f"A scan takes at least 1 ms, not {scan_ms}."
         raise ValueError(msg)
     rows, found = read_rows(text, find_dialect(dialect))
-    courses = tuple(_course(row) for row in rows)
+    courses = [_course(row) for row in rows]
     changes = [change for course in courses if (change := _last_change(course)) is not None]
     stop = max([AFTER_MS + max(changes, default=0), *(course.stop_ms for course in courses)])
     until = max(0, stop if until_ms is None else until_ms)
@@ -110,8 +137,12 @@ def timeline(text: str, dialect: str | Dialect, *, scan_ms: int = SCAN_MS, until
         place = longest[1].span if longest else Span(1)
         found.append(rule("TIM007").at(place, size=_scans(until // scan_ms + 1), most=_scans(MOST_SCANS)))
         until = (MOST_SCANS - 1) * scan_ms
-    found += [one for row in rows for one in _unseen(row, scan_ms, until)]
-    return Timeline(courses, until, scan_ms, tuple(few(sorted(found, key=lambda one: one.span))))
+    found += [one for row in rows if not row.mark for one in _unseen(row, scan_ms, until)]
+    marked = {
+        mark: tuple(one for one, row in zip(courses, rows, strict=True) if row.mark == mark) for mark in ("", "=", HAND)
+    }
+    said = tuple(few(sorted(found, key=lambda one: one.span)))
+    return Timeline(marked[""], until, scan_ms, said, seen=marked["="], hands=marked[HAND])
 
 
 def _scans(count: int) -> Text:
@@ -165,14 +196,15 @@ def write_timeline(scans: Iterable[Mapping[str, int]], scan_ms: int = SCAN_MS) -
     last = max((course[-1].start_ms for course in courses.values()), default=0)
     names = sorted(courses, key=_in_order)
     long = next((name for name in names if courses[name][-1].start_ms == last and now > last + AFTER_MS), "")
-    return "".join(f"{_row(name, courses[name], now if name == long else None)}\n" for name in names)
+    return "".join(f"{row_text(name, courses[name], now if name == long else None)}\n" for name in names)
 
 
 def _in_order(address: str) -> list[str | int]:
     return [int(part) if part.isascii() and part.isdigit() else part for part in re.split(r"([0-9]+)", address)]
 
 
-def _row(address: str, course: list[Phase], until_ms: int | None) -> str:
+def row_text(address: str, course: list[Phase], until_ms: int | None) -> str:
+    """Write one row; the last phase says how long it lasts where the row ends at a stated moment."""
     binary = all(phase.value in {0, 1} for phase in course)
     states = [("off", "on")[phase.value] if binary else str(phase.value) for phase in course]
     lengths = [after.start_ms - phase.start_ms for phase, after in pairwise(course)]

@@ -94,6 +94,14 @@ class Model:
             raise PlcTeachError(msg)
         self._now.bits[symbol] = bool(down)
 
+    def follow(self, row: Mapping[str, int]) -> None:
+        """Hold the buttons as a recording says: by @ and the symbol, or by the address of the input that sees one."""
+        for one in self.plant.hands:
+            if f"@{one.symbol}" in row:
+                self._now.bits[one.symbol] = bool(row[f"@{one.symbol}"])
+            elif one.address and one.address in row:
+                self._now.bits[one.symbol] = bool(row[one.address]) != (self.wires[one.symbol] == "NC")
+
     def wire(self, symbol: str, wired: Wired) -> None:
         """Connect an input to its normally open or normally closed contact."""
         device = self.plant.device(symbol)

@@ -98,8 +98,9 @@ class Workbench(Shown):
                 self.send(self._session.answer(content))
 
     def _go_live(self, program: Program | None) -> None:
-        """Run a program live from power-on, or go back to stepping."""
-        self._session = Session(Live(program)) if program else None
+        """Run a program live from power-on, or go back to stepping; what was pressed before a change can be replayed after it."""
+        before = self._session.own() if self._session else None
+        self._session = Session(Live(program), before) if program else None
         self.live = json.dumps(self._session.watch.cast(), ensure_ascii=False) if self._session else ""
 
     def _answer(self, *, cold: bool) -> None:

@@ -1,116 +1,182 @@
-"""The ExerciseDesk: a task with its ladder, an editor, Check, a counterexample, and "show me"."""
+"""The ExerciseDesk: a task, the place for its answer, Check, what differs and where, hints one by one; and all of it kept."""
 
 from __future__ import annotations
 
 import json
-from html import escape
 from typing import TYPE_CHECKING, Any
 
 import traitlets
 
-from plcteach.check.judge import Judgement, judge
+from plcteach.check.judge import Judgement, judge, model
 from plcteach.check.lint import lint
-from plcteach.check.report import verdict_json
 from plcteach.core.diagnostic import errors
-from plcteach.core.text import language
+from plcteach.core.text import NOTHING, Text
 from plcteach.dialects import dialect as find_dialect
 from plcteach.exercises import exercise as find_exercise
-from plcteach.figure.film import film
-from plcteach.figure.ladder import ladder_scene
-from plcteach.figure.svg import svg
-from plcteach.ladder.picture import read_drawing
-from plcteach.ladder.telling import is_drawing
-from plcteach.machine.scan import run
 from plcteach.stl import read
+from plcteach.widgets.answered import hints_for, marks_of, verdict_of
 from plcteach.widgets.bench import as_json
+from plcteach.widgets.keeping import Notes, hinted, modelled, tried, typed
+from plcteach.widgets.material import sheet_of, still_of, task_of
+from plcteach.widgets.replay import Replay, given_run, wrong_run
 from plcteach.widgets.show import Shown, module, styles
 
 if TYPE_CHECKING:
     from plcteach.core.exercise import Exercise
 
+_GAP = "____"
+
 
 class ExerciseDesk(Shown):
-    """Work on one exercise: type, check, see what differs and on which step.
+    """Work on one exercise: answer, check, see what differs and on which step.
 
-    exercise: its id or the exercise itself.  The last judgement stands in `judgement`.
+    exercise: its id or the exercise itself.  text: what stands in it at first, instead of the exercise's own start; what was
+    typed before into the same start comes back.  The last judgement stands in `judgement`.  feedback: of a grid, "each" row or
+    "final" only.  The other traits are JSON for the page; nothing of a hidden exercise's reference is in any of them.
     """
 
     _esm = module("render-desk.js")
-    _css = styles("player.css", "bench.css")
+    _css = styles("player.css", "bench.css", "desk.css")
     task = traitlets.Unicode("{}").tag(sync=True)
     source = traitlets.Unicode("").tag(sync=True)
     film = traitlets.Unicode("").tag(sync=True)
+    beside = traitlets.Unicode("").tag(sync=True)
     report = traitlets.Unicode("{}").tag(sync=True)
     verdict = traitlets.Unicode("").tag(sync=True)
+    hints = traitlets.Unicode("{}").tag(sync=True)
+    kept = traitlets.Unicode("{}").tag(sync=True)
+    model = traitlets.Unicode("").tag(sync=True)
+    feedback = traitlets.Unicode("each").tag(sync=True)
     serial = traitlets.Int(0).tag(sync=True)
     index = traitlets.Int(0).tag(sync=True)
 
     def __init__(self, exercise: str | Exercise, text: str | None = None, **values: Any) -> None:
-        self._exercise = find_exercise(exercise)
-        self._dialect = find_dialect(self._exercise.dialect)
-        self.judgement: Judgement | None = None
-        start = self._exercise.start if text is None else text
-        super().__init__(task=json.dumps(self._task(), ensure_ascii=False), source=start, **values)
-        self._answer()
-        self.observe(self._changed, names=["serial"])
+        self._notes = Notes()
+        super().__init__(**values)
+        self._open(find_exercise(exercise), text)
+        self.observe(self._changed, names=["serial", "feedback"])
         self.on_msg(self._asked)
 
-    def _task(self) -> dict[str, Any]:
-        one = self._exercise
-        return {
-            "id": one.id,
-            "title": one.title.as_dict(),
-            "task": one.task.as_dict(),
-            "ladder": self._ladder(),
-            "hints": [hint.as_dict() for hint in one.hints],
-            "max": one.points,
-            "dialect": {"name": self._dialect.name, "title": self._dialect.title.as_dict()},
-            "list": self._dialect.list.as_dict(),
-        }
+    def _open(self, exercise: Exercise, text: str | None = None) -> None:
+        """Put an exercise on the desk, with what was typed before."""
+        self._exercise, self._sheet = exercise, sheet_of(exercise)
+        self._dialect = find_dialect(exercise.dialect)
+        self.judgement: Judgement | None = None
+        self._told: list[Text] = []
+        self._start = self._sheet.start if text is None else text
+        record = self._record()
+        self._known = record.text
+        with self.hold_sync():
+            self.task = json.dumps(task_of(exercise, self._sheet), ensure_ascii=False)
+            self.source = record.text if record.text is not None and record.start == self._start else self._start
+            self.verdict = self.film = self.beside = self.model = ""
+            self._say_hints()
+            self._say_kept()
+            self._answer()
 
-    def _ladder(self) -> dict[str, str]:
-        if not is_drawing(self._exercise.reference):
-            return {}
-        ladder, _ = read_drawing(self._exercise.reference)
-        scene = ladder_scene(ladder)
-        return {lang: svg(scene, lang) for lang in ("zh", "en")}
+    def _record(self) -> Any:
+        return self._notes.record(self._exercise.id)
 
     def _changed(self, _change: object) -> None:
+        self._keep()
         self._answer()
 
+    def _keep(self) -> None:
+        """Keep the text as typed in the file beside the notebook; opening a desk alone writes nothing."""
+        if self.source in {self._known, self._start if self._known is None else self._known}:
+            return
+        self._notes.change(self._exercise.id, typed(self.source, self._start, self._known))
+        self._known = self.source
+        if self._notes.trouble:
+            self._say_kept()
+
     def _answer(self) -> None:
-        found = lint(read(self.source, self._dialect))
-        report = {"source": self.serial, "diagnostics": [as_json(one) for one in found], "ok": not errors(found)}
-        self.report = json.dumps({**report, "dialect": {"title": self._dialect.title.as_dict()}}, ensure_ascii=False)
+        """Tell the page what is found in the text as it is typed; of a grid, which rows are right, if that is wanted."""
+        found = lint(read(self.source, self._dialect)) if self._sheet.form == "list" else ()
+        gaps = {number for number, row in enumerate(self.source.split("\n"), 1) if _GAP in row}
+        report = {
+            "source": self.serial,
+            "diagnostics": [as_json(one) for one in found if one.span.row not in gaps],
+            "ok": not errors(found),
+            "dialect": {"title": self._dialect.title.as_dict()},
+        }
+        if self._sheet.form == "grid" and self.feedback == "each":
+            report["marks"] = marks_of(self._exercise, self.source)
+        self.report = json.dumps(report, ensure_ascii=False)
+
+    def _say_hints(self) -> None:
+        """Tell the page the hints that were asked for; the others stay here."""
+        left = len([one for one in hints_for(self._exercise, self.judgement) if one not in self._told])
+        said = [one.as_dict() for one in self._told]
+        self.hints = json.dumps({"shown": said, "left": left}, ensure_ascii=False)
+
+    def _say_kept(self) -> None:
+        record = self._record()
+        trouble = self._notes.trouble or NOTHING
+        self.kept = json.dumps(
+            {
+                "attempts": record.attempts,
+                "best": record.best,
+                "hints": max(record.hints, len(self._told)),
+                "model": record.model,
+                "trouble": trouble.as_dict(),
+            },
+            ensure_ascii=False,
+        )
 
     def _asked(self, _widget: object, content: dict[str, Any], _buffers: object) -> None:
-        """Do what a button in the page asks: check, or show where it goes wrong."""
-        if content.get("type") == "check":
-            self.check()
-        elif content.get("type") == "show":
-            self.show()
+        """Do what a button in the page asks; whatever goes wrong with a hidden exercise tells nothing of it."""
+        deeds = {"check": self.check, "show": self.show, "hint": self.hint, "model": self.show_model}
+        deed = deeds.get(str(content.get("type")))
+        if deed:
+            deed()
 
     def check(self) -> Judgement:
-        """Judge the text as it stands now."""
+        """Judge the answer as it stands now, and count the attempt."""
+        self._keep()
         self.judgement = judge(self._exercise, self.source)
-        self.verdict = json.dumps(verdict_json(self.judgement), ensure_ascii=False)
+        self._notes.change(self._exercise.id, tried(self.judgement.marks, self._exercise.points))
+        with self.hold_sync():
+            self._say_kept()
+            self._say_hints()
+            self.verdict = json.dumps(verdict_of(self.judgement), ensure_ascii=False)
         return self.judgement
 
+    def hint(self) -> Text | None:
+        """Give the next hint, and count it; None when there is no other."""
+        another = next((one for one in hints_for(self._exercise, self.judgement) if one not in self._told), None)
+        if another:
+            self._told.append(another)
+            self._notes.change(self._exercise.id, hinted(len(self._told)))
+        with self.hold_sync():
+            self._say_hints()
+            self._say_kept()
+        return another
+
     def show(self) -> None:
-        """Put the learner's own program, run on the counterexample's inputs, into the player."""
-        example = self.judgement.verdict.counterexample if self.judgement else None
-        if self.judgement and example:
-            trace = run(self.judgement.program, example.inputs)
-            shot = film(trace.scans[-1:], self._exercise.title, rows=True)
+        """Put the learner's own program into the player, where it goes wrong, and the reference's run beside it."""
+        if self.judgement:
+            self._play(wrong_run(self.judgement))
+
+    def show_model(self) -> None:
+        """Show an answer that gets full marks, once the learner has tried; marks after that are not counted as the best."""
+        if self._sheet.form == "list" or self._exercise.hidden or not self._record().attempts:
+            return
+        self._notes.change(self._exercise.id, modelled)
+        with self.hold_sync():
+            self.model = model(self._exercise)
+            self._say_kept()
+        self._play(given_run(self._exercise, self._sheet, self.judgement))
+
+    def _play(self, replay: Replay | None) -> None:
+        if replay:
             with self.hold_sync():
-                self.index = 0
-                self.film = shot.json
+                self.index = replay.index
+                self.beside = json.dumps(replay.beside, ensure_ascii=False)
+                self.film = replay.film
 
     def _words(self) -> str:
         return f"ExerciseDesk({self._exercise.id})"
 
     def _still(self) -> str:
-        lang, one = language(), self._exercise
-        return (
-            f"<h4>{escape(one.title.in_(lang))}</h4><p>{escape(one.task.in_(lang))}</p>{self._ladder().get(lang, '')}"
-        )
+        return still_of(self._exercise, self._sheet)

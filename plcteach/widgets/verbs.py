@@ -7,12 +7,10 @@ from typing import TYPE_CHECKING
 from plcteach.dialects import dialect as find_dialect
 from plcteach.dialects import families as all_families
 from plcteach.dialects import names
+from plcteach.figure.driving import on_plant
 from plcteach.figure.running import program_of
 from plcteach.figure.verbs import film_of
 from plcteach.machine.scan import SCAN_MS
-from plcteach.plants import Model, Plant, Sample
-from plcteach.plants import plant as find_plant
-from plcteach.stl import read
 from plcteach.widgets.bench import Workbench
 from plcteach.widgets.desk import ExerciseDesk
 from plcteach.widgets.families import FamilyPlayer
@@ -26,6 +24,7 @@ if TYPE_CHECKING:
     from plcteach.core.program import Program
     from plcteach.core.spec import Dialect
     from plcteach.machine.scan import Trace
+    from plcteach.plants import Plant
 
 
 def play(
@@ -68,6 +67,7 @@ def live(
     dialect: str | Dialect | None = None,
     *,
     plant: str | Plant | None = None,
+    timeline: str | None = None,
     scan_ms: int = SCAN_MS,
     size: float = 1.0,
 ) -> LiveBench:
@@ -75,22 +75,12 @@ def live(
 
     plant: what it drives, by its id ("eight-lamps"), or one of a teacher's own; without a text its own program runs. The roles
     "book" and "wrong" for a text run the programs of the plant that fail on it, "wrong 2" the second of them.
+    timeline: a recording to be replayed, until somebody takes over.
     """
     if plant is None:
-        return LiveBench(program_of(text or "", dialect), scan_ms=scan_ms, size=size)
-    there = find_plant(plant)
-    sample = there.reference if text is None else sample_of(there, text) if isinstance(text, str) else None
-    if sample:
-        return LiveBench(read(sample.text, sample.family), Model(there.for_(sample)), scan_ms=scan_ms, size=size)
-    return LiveBench(program_of(text or "", dialect or there.family), Model(there), scan_ms=scan_ms, size=size)
-
-
-def sample_of(plant: Plant, words: str) -> Sample | None:
-    """Give the program of a plant that is named by its role and, where there are several, its number; None for other words."""
-    role, _, number = words.strip().partition(" ")
-    mine = [one for one in plant.samples if one.role == role]
-    at = int(number) - 1 if number.isdigit() else 0
-    return mine[at] if mine and at < len(mine) and not (number and not number.isdigit()) else None
+        return LiveBench(program_of(text or "", dialect), scan_ms=scan_ms, tape=timeline, size=size)
+    program, model = on_plant(text, plant, dialect)
+    return LiveBench(program, model, scan_ms=scan_ms, tape=timeline, size=size)
 
 
 def bench(

@@ -244,6 +244,91 @@ def test_a_fault_of_the_plant_is_reported_in_words(chromium: Browser) -> None:
         page.context.close()
 
 
+def test_what_was_done_is_replayed_scan_for_scan_and_taken_over(bench: tuple[Page, Session]) -> None:
+    page, session = bench
+    page.locator(".plc-live-run").click()
+    hold(page, 0, 120)
+    until(page, "Q0.0", "1")
+    page.wait_for_timeout(700)
+    page.locator(".plc-live-run").click()
+    page.wait_for_timeout(200)
+    first, text = session.live.trace(), session.live.timeline()
+    assert "= Q0.0: " in text
+    page.locator(".plc-speed").last.select_option("5")
+    page.locator(".plc-live-replay").click()
+    page.wait_for_selector(".plc-live-tape:not([hidden])")
+    assert push(page, 0).is_disabled()
+    page.wait_for_selector(".plc-live-taped-over")
+    again = session.live.trace()
+    assert again.starts == first.starts
+    assert all(again[one] == first[one] for one in ("I0.0", "I0.1", "Q0.0", "Q0.1", "VW0"))
+    assert "as recorded" in page.locator(".plc-live-tape-words").inner_text()
+    assert axe(page, ".plc-livebench") == []
+    page.locator(".plc-live-hand").click()
+    page.wait_for_selector(".plc-live-tape", state="hidden")
+    page.locator(".plc-live-run").click()
+    hold(page, 1)
+    until(page, "Q0.0", "0")
+    assert session.live.scans > len(first.starts)
+
+
+def test_a_file_is_replayed_paused_stepped_looked_back_at_and_a_difference_is_said(bench: tuple[Page, Session]) -> None:
+    page, session = bench
+    text = "I0.0: 0.2s off, on\n= Q0.0: 0.2s off, 4s on\n= Q0.1: 9s off"
+    page.locator(".plc-live-tape-words").wait_for(state="hidden")
+    with page.expect_file_chooser() as chooser:
+        page.locator(".plc-live-load").click()
+    chooser.value.set_files({"name": "timeline.txt", "mimeType": "text/plain", "buffer": text.encode()})
+    until(page, "Q0.0", "1")
+    page.locator(".plc-live-run").click()
+    page.wait_for_timeout(200)
+    ran = session.live.scans
+    page.locator(".plc-live-scan").click()
+    page.wait_for_function("(scans) => window.answers.at(-1)[2] === scans", arg=ran + 1)
+    slider = page.locator(".plc-seek input")
+    slider.evaluate("(one) => { one.value = 5; one.dispatchEvent(new Event('input', {bubbles: true})); }")
+    page.wait_for_function("() => document.querySelector('.plc-count').textContent.includes('scan 6')")
+    assert lamp(page, "Q0.0") == "0"
+    page.locator(".plc-speed").last.select_option("5")
+    page.locator(".plc-live-run").click()
+    page.wait_for_selector(".plc-live-taped-over")
+    said = page.locator(".plc-live-faults p").inner_text().strip()
+    assert said == session.live.differs[0].text.en
+    assert said.startswith("0.70 s (scan 71): Q0.1 was 0"), "the flasher comes 0.5 s after the button"
+    page.locator(".plc-live-hand").click()
+    page.wait_for_selector(".plc-live-tape", state="hidden")
+    assert page.locator(".plc-live-latch").first.get_attribute("aria-checked") == "true", "what was on stays on"
+
+
+def test_a_file_that_cannot_be_read_is_answered_in_words(bench: tuple[Page, Session]) -> None:
+    page, session = bench
+    with page.expect_file_chooser() as chooser:
+        page.locator(".plc-live-load").click()
+    chooser.value.set_files({"name": "timeline.txt", "mimeType": "text/plain", "buffer": b"I0.0: soon"})
+    page.wait_for_function("() => document.querySelector('.plc-live-note').textContent.includes('row 1')")
+    assert session.live.tape is None
+
+
+def test_a_switch_that_no_input_sees_is_replayed_too(chromium: Browser) -> None:
+    there = plant("reject-conveyor")
+    sample = there.reference
+    with served(read(sample.text, sample.family), Model(there.for_(sample))) as (address, session):
+        page = opened(chromium, address)
+        page.locator(".plc-live-run").click()
+        page.locator("[data-part='W-']").click()
+        page.wait_for_timeout(400)
+        page.locator(".plc-live-run").click()
+        page.wait_for_timeout(200)
+        model = session.watch.model
+        assert model is not None
+        assert "@W: " in session.live.timeline()
+        was = model.moment()
+        page.locator(".plc-live-replay").click()
+        page.wait_for_selector(".plc-live-taped-over")
+        assert model.moment() == was, "the whole plant is where it was"
+        page.context.close()
+
+
 def test_a_switch_of_the_plant_stays_where_it_is_turned_to(chromium: Browser) -> None:
     there = plant("reject-conveyor")
     sample = there.reference

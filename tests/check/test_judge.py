@@ -9,7 +9,7 @@ import pytest
 from plcteach.check.judge import judge, reference, verdict_on
 from plcteach.check.report import headline, table, verdict_json
 from plcteach.core.errors import PlcTeachError, UnknownNameError
-from plcteach.core.exercise import Exercise
+from plcteach.core.exercise import Exercise, Terms
 from plcteach.core.text import Text
 from plcteach.stl import read
 
@@ -21,7 +21,7 @@ TWO = """
 
 def task(drawing: str = TWO, points: float = 4.0, dialect: str = "s7-200") -> Exercise:
     words = Text("例", "an example")
-    return Exercise("mine", dialect, words, words, drawing, "", (), (), (), points)
+    return Exercise("mine", dialect, words, words, drawing, points=points)
 
 
 RIGHT = "LD I0.0\nLPS\nA I0.1\n= Q0.0\nLPP\nAN I0.2\n= Q0.1\n"
@@ -134,7 +134,7 @@ NEVER = "LD I0.0\nAN I0.0\n= Q0.0\n"
 
 
 def test_an_exercise_about_pulses_asks_for_exact() -> None:
-    exact = replace(task(PULSE), level="exact")
+    exact = replace(task(PULSE), terms=Terms(level="exact"))
     assert judge(exact, NEVER).verdict.status == "different"
     assert judge(exact, NEVER).marks == 0
     assert judge(exact, "LD I0.0\nEU\n= Q0.0\n").marks == 4
@@ -145,7 +145,7 @@ def test_a_right_program_that_reacts_later_is_right_and_told_so() -> None:
     judged = judge(task("--[ I0.0 ]--[ I0.1 ]--( Q0.0 )"), late)
     assert (judged.verdict.status, judged.verdict.level, judged.marks) == ("equal", "settled", 4)
     assert [(one.code, one.severity) for one in judged.verdict.diagnostics] == [("CHK003", "info")]
-    assert judge(replace(judged.exercise, level="exact"), late).verdict.status == "different"
+    assert judge(replace(judged.exercise, terms=Terms(level="exact")), late).verdict.status == "different"
 
 
 # References.

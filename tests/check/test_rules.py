@@ -99,10 +99,12 @@ SAMPLED = {sample.code for _, sample in SAMPLES}
 def test_every_other_code_stands_in_some_other_test(code: str) -> None:
     home = {
         "CHK": "check/test_same.py",
+        "KND": "check/test_kinds.py",
         "DRW": "ladder/test_picture.py",
         "XML": "ladder/test_plcopen.py",
         "LAD": "ladder/test_lift.py",
         "FIL": "test_contract.py",
+        "HND": "check/test_marking.py",
         "BOX": "machine/test_gutta_boxes.py",
         "RUN001": "machine/test_scan.py",
         "RUN002": "machine/test_s7_course.py",
@@ -246,7 +248,7 @@ def test_twelve_branch_points_are_one_too_many_for_the_fx() -> None:
 
 
 def test_parentheses_and_branches_have_their_own_depth_in_neza() -> None:
-    deep = "LD %I0.0" + "/AND( %I0.1" * 8 + "/)" * 8 + "/ST %Q0.0"
+    deep = "LD %I0.0" + "/AND( %I0.1/OR %I0.2" * 8 + "/)" * 8 + "/ST %Q0.0"
     assert found(deep, "neza") == []
     assert [
         severity

@@ -2,11 +2,25 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import pytest
 
-from plcteach.check.same import compare
+from plcteach.check import same
+from plcteach.core.exercise import Terms
 from plcteach.machine import run
 from plcteach.stl import read
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+    from plcteach.core.program import Program
+    from plcteach.core.verdict import Verdict
+
+
+def compare(reference: Program, student: Program, *, level: str = "exact", outputs: Iterable[str] = ()) -> Verdict:
+    return same.compare(reference, student, terms=Terms(level=level, outputs=tuple(outputs)))
+
 
 RELAY = "LD I0.0\n= M0.0\nLD M0.0\n= Q0.0"
 SWAPPED = "LD M0.0\n= Q0.0\nLD I0.0\n= M0.0"

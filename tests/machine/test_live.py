@@ -5,9 +5,11 @@ from __future__ import annotations
 import pytest
 
 from plcteach.machine import run
-from plcteach.machine.live import Live, written
+from plcteach.machine.live import Live
 from plcteach.machine.recorder import Recorder
+from plcteach.machine.recording import differences, recorded, to_its_end
 from plcteach.machine.store import Memory
+from plcteach.machine.timeline import Timeline, timeline
 from plcteach.stl import read
 
 SEAL_IN = read("LD I0.0; O Q0.0; AN I0.1; = Q0.0; LD Q0.0; TON T37, 5; LD T37; = Q0.1", "s7-200")
@@ -85,15 +87,99 @@ def test_a_recorded_run_is_written_as_a_timeline_and_runs_again_the_same() -> No
     again = run(SEAL_IN, _scans(live.timeline()))
     for address in ("I0.0", "I0.1", "Q0.0", "Q0.1"):
         assert again[address][: live.scans] == live.trace()[address]
-    assert written(run(SEAL_IN, 5)) == ""
+    assert recorded(run(SEAL_IN, 5)).text == "= Q0.0: 50ms off\n= Q0.1: 50ms off"
 
 
 def _scans(text: str) -> list[dict[str, int]]:
-    from plcteach.machine.timeline import timeline
+    return list(_read(text).scans())
 
+
+def _read(text: str) -> Timeline:
     found = timeline(text, SEAL_IN.dialect)
     assert found.diagnostics == ()
-    return list(found.scans())
+    return to_its_end(found)
+
+
+def pressed(live: Live, *acts: tuple[int, str, int]) -> Live:
+    """Run so many scans before each act."""
+    for scans, address, value in acts:
+        live.run(scans)
+        live.press(address, value)
+    live.run(25)
+    return live
+
+
+ACTS = ((20, "I0.0", 1), (7, "I0.0", 0), (100, "I0.1", 1), (3, "I0.1", 0), (10, "I0.0", 1))
+
+
+def test_a_recording_says_what_the_outputs_were_and_ends_where_the_run_ended() -> None:
+    live = pressed(Live(SEAL_IN), *ACTS)
+    line = _read(live.timeline())
+    assert line.until_ms == live.now == 1640
+    assert line.text == live.timeline()
+    by_hand = [
+        "I0.0: 0.2s off, 70ms on, 1130ms off, 250ms on",
+        "I0.1: 1270ms off, 30ms on, 350ms off",
+        "= Q0.0: 0.2s off, 1070ms on, 130ms off, 250ms on",
+        "= Q0.1: 0.7s off, 570ms on, 380ms off",
+    ]
+    assert live.timeline().splitlines() == by_hand
+
+
+def test_a_replay_is_the_same_scan_for_scan_and_then_stands_still_until_somebody_takes_over() -> None:
+    first = pressed(Live(SEAL_IN), *ACTS)
+    line, was = first.recording(), first.trace()
+    live = pressed(Live(SEAL_IN), (3, "I0.1", 1))
+    live.replay(line)
+    live.press("I0.1", 1)
+    live.run(60)
+    assert not live.over
+    live.run(10_000)
+    assert live.over
+    now = live.trace()
+    assert now.starts == was.starts
+    for address in ("I0.0", "I0.1", "Q0.0", "Q0.1", "T37.V"):
+        assert now[address] == was[address]
+    assert live.differs == []
+    assert live.recording() is line
+    live.take_over()
+    assert live.held == {"I0.0": 1}, "what was on stays on"
+    live.run(5)
+    assert live.scans == first.scans + 5
+    live.press("I0.1", 1)
+    live.run(1)
+    assert live.trace()["Q0.0"][-2:] == "10"
+    assert live.timeline().splitlines()[0] == "I0.0: 0.2s off, 70ms on, 1130ms off, 310ms on"
+
+
+def test_another_program_is_told_apart_at_the_scan_at_which_it_differs() -> None:
+    line = pressed(Live(SEAL_IN), *ACTS).recording()
+    later = read("LD I0.0; O Q0.0; AN I0.1; = Q0.0; LD Q0.0; TON T37, 6; LD T37; = Q0.1", "s7-200")
+    found = differences(line, run(later, line.scans()))
+    assert [(one.address, one.scan, one.ms, one.expected, one.got) for one in found] == [("Q0.1", 70, 700, "1", "0")]
+    assert "0.70 s" in found[0].text.zh
+    assert "scan 71" in found[0].text.en
+    assert differences(line, run(later, line.scans()), within_ms=100) == ()
+    assert len(differences(line, run(later, line.scans()), within_ms=90)) == 1
+    live = Live(later)
+    live.replay(line)
+    live.run(1_000)
+    assert live.differs == list(found)
+
+
+def test_the_recording_reaches_back_to_power_on_even_where_the_past_is_forgotten() -> None:
+    live = Live(BUSY, kept_ms=2_000)
+    for number in range(20):
+        live.press("I0.0", number % 2)
+        live.run(70)
+    assert live.forgotten > 500
+    again = Live(BUSY)
+    again.replay(live.recording())
+    again.run(5_000)
+    assert again.scans == live.scans == 1_400
+    assert again.differs == []
+    for address in ("I0.0", "Q0.0", "Q0.1", "Q0.2", "C0.V"):
+        assert again.trace()[address][live.forgotten :] == live.trace()[address]
 
 
 class Carriage:
@@ -113,6 +199,9 @@ class Carriage:
 
     def moment(self) -> int:
         return self.x
+
+    def follow(self, row: dict[str, int]) -> None:
+        """It has no buttons."""
 
 
 def test_the_plant_closes_the_loop_and_a_hand_goes_before_it() -> None:

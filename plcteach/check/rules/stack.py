@@ -6,6 +6,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from plcteach.check.rules.registry import STACK_RULES, finds
+from plcteach.check.rules.style import bare_output, joined_by, single_contact
 from plcteach.core.diagnostic import Note
 from plcteach.core.effect import At, Name
 from plcteach.core.text import NOTHING, Text
@@ -14,7 +15,6 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
 
     from plcteach.core.diagnostic import Diagnostic, Rule
-    from plcteach.core.insn import Insn
     from plcteach.machine.walk import Cell, Move, Walk
 
 _FETCHES = {"read", "pop"}
@@ -25,7 +25,7 @@ _JOINS = {"join_series", "join_parallel"}
 def underflow(walk: Walk, row: Rule) -> Iterator[Diagnostic]:
     """A join, or any instruction, needs more values than the network has put on the stack."""
     for move in walk.moves:
-        if move.role in _FETCHES:
+        if move.role in _FETCHES or bare_output(move):
             continue
         wanted = _wanted(move)
         own = sum(cell.line is not None for cell in move.before[0])
@@ -70,7 +70,7 @@ def starts_from_leftover(walk: Walk, row: Rule) -> Iterator[Diagnostic]:
         if move.before[0] and any(cell.line for cell in move.before[0]):
             return
         foreign = bool(move.before[0]) and _wanted(move) == 1 and move.before[0][0].line is None
-        if foreign and move.role not in _FETCHES:
+        if foreign and move.role not in _FETCHES and not bare_output(move):
             yield row.at(move.line.span, word=move.line.text, unit=walk.dialect.unit, load=walk.dialect.roles["load"])
             return
 
@@ -186,7 +186,10 @@ def residue(walk: Walk, row: Rule) -> Iterator[Diagnostic]:
     if left and not _last_read(walk, left):
         rows = "、".join(str(_row(cell)) for cell in left), ", ".join(str(_row(cell)) for cell in left)
         finding = row.at(walk.last.span, unit=walk.dialect.unit, count=len(left), rows=Text(*rows))
-        yield replace(finding, severity=walk.dialect.residue)
+        pop = walk.dialect.roles["pop"] if any(cell.branch for cell in left) else ""
+        said = Text(f"这里存下的分支点，后面没有{pop}来取。", f"No {pop} fetches the branch point that is saved here.")
+        notes = tuple(Note(cell.line.span, said) for cell in left if pop and cell.branch and cell.line)
+        yield replace(finding, severity=walk.dialect.residue, notes=notes)
 
 
 @finds("STK006", STACK_RULES)
@@ -212,38 +215,26 @@ def _last_read(walk: Walk, left: list[Cell]) -> Move | None:
 @finds("STK007", STACK_RULES)
 def join_for_one_parallel(walk: Walk, row: Rule) -> Iterator[Diagnostic]:
     """LD and OLD/ORB where O/OR does."""
-    yield from _single(walk, row, "join_parallel", "|")
+    yield from _single(walk, row, "|")
 
 
 @finds("STK008", STACK_RULES)
 def join_for_one_series(walk: Walk, row: Rule) -> Iterator[Diagnostic]:
     """LD and ALD/ANB where A/AND does."""
-    yield from _single(walk, row, "join_series", "&")
+    yield from _single(walk, row, "&")
 
 
-def _single(walk: Walk, row: Rule, join: str, sign: str) -> Iterator[Diagnostic]:
+def _single(walk: Walk, row: Rule, sign: str) -> Iterator[Diagnostic]:
     for load, move in zip(walk.moves, walk.moves[1:], strict=False):
         blocks = [cell for cell in move.taken.values() if cell.line and not cell.branch]
-        joins = move.role == join and len(blocks) > 1 and ")" not in walk.dialect.words
-        single = _fused(walk, load.line.insn, sign) if joins else None
+        joins = joined_by(move) == sign and len(blocks) > 1
+        single = single_contact(walk, load.line.insn, sign) if joins else None
         if single:
             operand = load.line.text.partition(" ")[2]
             finding = row.at(load.line.span, single=f"{single} {operand}", load=load.line.text, join=move.line.text)
             together = f"{load.line.text} + {move.line.text} → {single} {operand}"
             joined = Text(f"与这一行合成一条：{together}", f"one with this row: {together}")
             yield replace(finding, notes=(Note(move.line.span, joined),))
-
-
-def _fused(walk: Walk, load: Insn, sign: str) -> str | None:
-    """Give the instruction that does a load and a join in one, found by its effect."""
-    formula = load.effect.text.split()[-1]
-    if not load.operands or load.effect.clauses[0].gives[-1].formula == Name("a"):
-        return None
-    kinds = tuple(operand.kind for operand in load.operands)
-    for insn in walk.dialect.insns:
-        if insn.effect.text == f"a -- a{sign}{formula}" and tuple(one.kind for one in insn.operands) == kinds:
-            return insn.mnemonic
-    return None
 
 
 def _row(cell: Cell) -> int:

@@ -1,6 +1,7 @@
 // Knows the bar of the live bench and its words: run, one scan, one instruction, pace, starts, the past, the time.
 
 import { button, h, icon, remember, say } from "./ui.js";
+import { tapeButtons } from "./live-replay.js";
 import { PACES } from "./live-shape.js";
 
 const LIVE_WORDS = {
@@ -43,7 +44,7 @@ export function levelChoice(bench, onLevels) {
 
 /**
  * The bar: run, one scan, one instruction, pace, starts, the past, the time.
- * @param {Object<string, Function>} acts run scan freeze past restart warm save
+ * @param {Object<string, Function>} acts run scan freeze past restart warm save replay load
  */
 export function writeBar(bench, acts) {
   const { lang } = bench;
@@ -63,7 +64,7 @@ export function writeBar(bench, acts) {
     h("div", { className: "plc-seek" }, bench.parts.past, bench.parts.time),
     h("div", { className: "plc-view", role: "group" }, pace,
       act("restart", "restart", acts.restart, { text: say(LIVE_WORDS.restart, lang) }), act("warm", "restart", acts.warm, { text: say(LIVE_WORDS.warm, lang) }),
-      act("save", "save", acts.save)),
+      ...tapeButtons(acts, lang), act("save", "save", acts.save)),
   );
   showRunning(bench);
 }

@@ -68,7 +68,7 @@ function listenToPush(view, address, part) {
 /** Holds an input or lets it go; a latched one stays on. */
 function holdInput(view, address, on) {
   const part = view.parts.get(address);
-  if (!part || view.pressed.has(address) === on) return;
+  if (!part || view.pressed.has(address) === on || (on && part.push.disabled)) return;
   if (on) view.pressed.add(address);
   else view.pressed.delete(address);
   part.push.setAttribute("aria-pressed", String(on));
@@ -80,6 +80,15 @@ function setLatch(view, address, part, on) {
   part.latched = on;
   part.latch.setAttribute("aria-checked", String(on));
   if (!view.pressed.has(address)) view.onSet(address, on ? 1 : 0);
+}
+
+/** Lets the switches stand as the kernel holds them; while a recording runs, nobody can press them. */
+export function syncLatches(view, held, taped) {
+  for (const [address, part] of view.parts) {
+    part.latched = !taped && held.includes(address);
+    part.latch.setAttribute("aria-checked", String(part.latched));
+    for (const one of [part.push, part.latch, part.free]) one.disabled = taped;
+  }
 }
 
 /** The address of the input that a number key holds. */

@@ -8,7 +8,7 @@ export const PACES = [0.02, 0.1, 0.5, 1, 5, 20];
 
 /** What the page knows before the kernel has said anything. */
 export function freshNews() {
-  return { lines: [], lit: [], bits: {}, words: {}, faces: {}, forced: [], found: [], plant: null, scan: -1, now: 0, end: 0, scans: 0, first: 0, tracks: {} };
+  return { lines: [], lit: [], bits: {}, words: {}, faces: {}, forced: [], found: [], held: [], tape: null, plant: null, scan: -1, now: 0, end: 0, scans: 0, first: 0, tracks: {} };
 }
 
 /** Puts what has changed into what is known; faces one by one, changes of the chart behind those that were there. */

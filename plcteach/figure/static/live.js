@@ -9,6 +9,7 @@ import { buildInputs, buildShows, listenToNumbers, makeInputs, makeShows, showIn
 import { buildStatusList, makeStatusList, showStatusList } from "./live-list.js";
 import { drawPlant, makePlantView, showPlant } from "./plant-view.js";
 import { levelChoice, liveWord, showFrozen, showRunning, writeBar } from "./live-bar.js";
+import { makeTape, showTape, writeTape } from "./live-replay.js";
 import { MOST_MS, freshNews, takeBatch, timeWords, trimTracks } from "./live-shape.js";
 
 const FOLDS = ["plant", "ladder", "list", "blocks", "chart"];
@@ -62,6 +63,7 @@ function makeBench(cast, send, lang) {
   bench.blocks = mountBlocks(bench.shelf, lang);
   bench.chart = makeLiveChart((ms) => lookAt(bench, ms));
   bench.plant = makePlantView((symbol, down) => pressSymbol(bench, symbol, down), (symbol, how) => ask(bench, { type: "wire", symbol, how }));
+  bench.tape = makeTape(() => takeOver(bench));
   bench.bar = h("div", { className: "plc-transport" });
   bench.note = h("p", { className: "plc-live-note", role: "status" });
   bench.faults = h("div", { className: "plc-live-faults", role: "alert" });
@@ -69,7 +71,7 @@ function makeBench(cast, send, lang) {
   bench.panels = {};
   bench.body = h("div", { className: "plc-live-body" });
   bench.figure = h("div", { className: "plc-player plc-livebench", role: "group", tabindex: -1 },
-    bench.bar, bench.note, bench.faults, h("div", { className: "plc-live-io" }, bench.inputs.node, bench.lamps.node, bench.words.node), bench.stage, bench.body);
+    bench.bar, bench.tape.node, bench.note, bench.faults, h("div", { className: "plc-live-io" }, bench.inputs.node, bench.lamps.node, bench.words.node), bench.stage, bench.body);
   return bench;
 }
 
@@ -79,6 +81,8 @@ function writeBench(bench) {
   figure.lang = lang === "zh" ? "zh-CN" : "en";
   figure.setAttribute("aria-label", liveWord("bench", lang));
   writeBar(bench, actsOfBench(bench));
+  writeTape(bench.tape, lang);
+  bench.tape.shown = undefined;
   buildInputs(bench.inputs, cast.inputs, lang);
   buildShows(bench.lamps, cast.lamps, lang);
   buildShows(bench.words, cast.words, lang);
@@ -122,6 +126,8 @@ function actsOfBench(bench) {
     restart: () => begin(bench, "cold"),
     warm: () => begin(bench, "warm"),
     save: () => ask(bench, { type: "timeline" }),
+    replay: () => replay(bench, {}),
+    load: (text) => replay(bench, { text }),
   };
 }
 
@@ -145,12 +151,21 @@ function takeAnswer(bench, message) {
   bench.answered = Math.max(bench.answered, message.id ?? 0);
   if (message.type === "film") return showFilmOf(bench, message.film);
   if (message.type === "timeline") return saveTimeline(message.text, message.name);
+  if (message.type === "refused") return refuse(bench, message.says);
   if (message.type !== "batch") return;
   clearTimeout(bench.patience);
   bench.note.textContent = "";
   bench.news = takeBatch(bench.news, message);
   trimTracks(bench.news.tracks, bench.news.end - HISTORY_MS);
+  if (bench.running && message.tape?.over) halt(bench);
   redraw(bench);
+  if (message.anew && message.tape) start(bench);
+}
+
+/** Says why a recording cannot be replayed. */
+function refuse(bench, says) {
+  clearTimeout(bench.patience);
+  bench.note.textContent = says.map((one) => say(one, bench.lang)).join(" ");
 }
 
 /** Runs on: with each frame of the page one request, and never more than a few without an answer. */
@@ -195,6 +210,21 @@ function begin(bench, how) {
   bench.at = null;
   bench.news.tracks = {};
   ask(bench, { type: "start", how });
+}
+
+/** Runs a recording from power-on: what was done here, or the text of a file. */
+function replay(bench, what) {
+  halt(bench);
+  thaw(bench);
+  bench.at = null;
+  ask(bench, { type: "replay", ...what });
+}
+
+/** Ends the recording that runs; the hand goes on from here. */
+function takeOver(bench) {
+  bench.at = null;
+  ask(bench, { type: "hand" });
+  bench.parts.run.focus();
 }
 
 /** Sets an input for the scans to come; paused, it is told at once. */
@@ -276,6 +306,7 @@ function redraw(bench) {
   const words = liveWord("time", lang).replace("{}", timeWords(news.now)).replace("{n}", news.scan + 1);
   parts.time.textContent = news.scans ? words : "";
   parts.past.setAttribute("aria-valuetext", words);
+  if (news.scans) showTape(bench.tape, bench.inputs, news, bench.figure, lang);
   showInputs(bench.inputs, news.bits, news.forced);
   showShows(bench.lamps, news.bits);
   showShows(bench.words, news.words);

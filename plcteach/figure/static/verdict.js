@@ -14,6 +14,8 @@ const VERDICT_WORDS = {
   different: { zh: "不同", en: "differs" },
   unknown: { zh: "还不能确定", en: "not certain yet" },
   outputs: { zh: "各输出", en: "Each output" },
+  parts: { zh: "得分的各部分", en: "What the marks are made of" },
+  chart: { zh: "时序图：应为和你的程序", en: "Timing chart: what is expected, and your program" },
 };
 
 /** One shape a status. */
@@ -101,6 +103,30 @@ function outputList(outputs, lang) {
   }));
 }
 
+/** Draws what the marks are made of, where that is more than one thing. */
+function partList(parts, lang) {
+  if (!parts || parts.length < 2) return null;
+  return h("ul", { className: "plc-parts", "aria-label": say(VERDICT_WORDS.parts, lang) }, parts.map(({ name, got, of }) => (
+    h("li", {}, h("span", {}, say(name, lang)), h("strong", {}, `${marksText(got)} / ${marksText(of)}`)))));
+}
+
+/** Draws the further remarks, each once. */
+function remarkList(verdict, lang) {
+  const texts = [...(verdict.says || []), ...(verdict.remarks || []).map(({ text }) => text)].map((text) => say(text, lang));
+  const others = [...new Set(texts)].filter((text) => text && !say(verdict.headline, lang).includes(text));
+  return others.length > 0 && h("ul", { className: "plc-says" }, others.map((text) => h("li", {}, text)));
+}
+
+/** Draws the counterexample: as a timing chart if Python has drawn one, else as a row of values. */
+function exampleOf(verdict, lang) {
+  const svg = drawingOf(say(verdict.chart, lang));
+  if (!svg) return verdict.rows?.length > 0 && verdictTable(verdict.rows, lang);
+  const name = say(VERDICT_WORDS.chart, lang);
+  if (!svg.hasAttribute("aria-label")) svg.setAttribute("aria-label", name);
+  svg.setAttribute("role", "img");
+  return h("div", { className: "plc-scroll plc-example", tabindex: "0", role: "region", "aria-label": name }, svg);
+}
+
 /**
  * Draws a verdict: what was found, the marks, what tells the two programs apart.
  * @param {object} verdict  as the contract has it @param {"zh"|"en"} lang
@@ -114,6 +140,5 @@ export function drawVerdict(verdict, lang) {
     h("div", { className: "plc-verdict-head" }, statusShape(status),
       h("p", { className: "plc-verdict-headline" }, say(verdict.headline, lang)), marks),
     detail && h("p", { className: "plc-verdict-detail" }, detail),
-    outputList(verdict.outputs, lang),
-    verdict.rows?.length > 0 && verdictTable(verdict.rows, lang));
+    partList(verdict.parts, lang), remarkList(verdict, lang), outputList(verdict.outputs, lang), exampleOf(verdict, lang));
 }

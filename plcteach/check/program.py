@@ -1,0 +1,53 @@
+"""An answer that is a program, judged: held against the reference, against what the task asks for, and marked."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from plcteach.check.against import verdict_on
+from plcteach.check.judgement import Judgement
+from plcteach.check.marks import parted, shares_of
+from plcteach.check.needs import unmet
+from plcteach.core.source import decode
+from plcteach.core.text import Text
+from plcteach.core.verdict import Verdict
+from plcteach.ladder.picture import read_drawing
+from plcteach.ladder.telling import is_drawing
+from plcteach.stl import read
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from plcteach.core.diagnostic import Diagnostic
+    from plcteach.core.exercise import Exercise
+    from plcteach.core.ladder import Ladder
+    from plcteach.core.program import Program
+
+_MISSING = Text("作用是对的，但题目还要求：{need}", "It does the right thing; the task asks for one thing more: {need}")
+
+
+def judged_program(
+    exercise: Exercise,
+    answer: str | bytes,
+    wanted: Program,
+    refused: Callable[[Program], tuple[Diagnostic, ...]] = lambda _: (),
+) -> Judgement:
+    """Judge a program; `refused` gives what this kind of task does not accept, whatever the program does."""
+    text = answer if isinstance(answer, str) else decode(answer)
+    program = read(answer, exercise.dialect)
+    found = refused(program) if program.lines else ()
+    verdict = verdict_on(wanted, program, exercise.terms)
+    if found:
+        others = tuple(one for one in verdict.diagnostics if not one.code.startswith("CHK"))
+        verdict = Verdict("error", outputs=verdict.outputs, diagnostics=(*found, *others))
+    lacking = unmet(exercise, program) if verdict.status != "error" else ()
+    met = 1 - len(lacking) / len(exercise.needs) if exercise.needs else 1.0
+    parts, marks = parted(exercise, shares_of(verdict, met), capped=bool(lacking))
+    said = tuple(_MISSING.format(need=one) if verdict.status == "equal" else one for one in lacking)
+    return Judgement(exercise, text, program, verdict, marks, parts, said)
+
+
+def drawn(exercise: Exercise) -> tuple[Ladder, ...]:
+    """Give the ladder that the list is to be written for: the reference's drawing, unless it is to stay hidden."""
+    texts = (exercise.given, "" if exercise.hidden else exercise.reference)
+    return tuple(read_drawing(text)[0] for text in texts if text and is_drawing(text))[:1]

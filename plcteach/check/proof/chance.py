@@ -1,0 +1,132 @@
+"""Two programs run by chance, where no proof and no search comes to an end: many timelines at once, the same ones everywhere.
+
+What is found is then cut down: presses that are not needed are taken back, many such attempts side by side in one run.
+"""
+
+from __future__ import annotations
+
+from random import Random
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from plcteach.check.proof.product import Product, Question
+    from plcteach.check.proof.walk import Budget, Scan
+    from plcteach.machine.gates import Compiled, Gate, Graph
+
+LANES, SCANS = 256, 400
+MOST_ROUNDS = 60
+_SEED = 20030907
+
+Rows = list[list[int]]
+"""For each scan the value of each input."""
+
+
+class Chance:
+    """The two programs at the end of every scan, run over many timelines."""
+
+    def __init__(self, product: Product, budget: Budget) -> None:
+        self.product, self.budget = product, budget
+        graph = product.graph
+        self.names = product.inputs
+        self.scans = 0
+        self.drift = [name in product.drift for name in self.names]
+        self.first = self._compiled(graph, product.start, product.first, ())
+        self.later = self._compiled(graph, product.next, product.later, product.state)
+
+    def _compiled(
+        self, graph: Graph, ends: Mapping[Hashable, Gate], question: Question, state: Sequence[Hashable]
+    ) -> Compiled:
+        gates = [ends[name] for name in self.product.state]
+        return graph.compiled([*gates, graph.any(question.bad.values()), question.fair], (*state, *self.names))
+
+    def found(self) -> list[Scan] | None:
+        """Give scans that end with a difference; None where none was found. `scans` then says how far it looked."""
+        rows = self.timelines()
+        ended = self.run([list(scan) for scan in rows], LANES)
+        if ended is None:
+            return None
+        last, lane = ended
+        mine = [[value >> lane & 1 for value in scan] for scan in rows[: last + 1]]
+        return [dict(zip(self.names, scan, strict=True)) for scan in self.lessened(mine)]
+
+    def timelines(self) -> Rows:
+        """Give inputs that are turned over now and then: in a quarter of the timelines often, in the others more seldom."""
+        chance = Random(_SEED)  # noqa: S311 (the same timelines everywhere, on purpose)
+        groups = [((1 << LANES // 4) - 1) << LANES // 4 * number for number in range(4)]
+        rows: Rows = []
+        now = [0] * len(self.names)
+        for _ in range(SCANS):
+            for place, drifts in enumerate(self.drift):
+                if drifts:
+                    now[place] = chance.getrandbits(LANES) | chance.getrandbits(LANES)
+                    continue
+                turned = 0
+                for number, group in enumerate(groups):
+                    mask = group
+                    for _ in range(1 + 2 * number):
+                        mask &= chance.getrandbits(LANES)
+                    turned |= mask
+                now[place] ^= turned
+            rows.append(list(now))
+        return rows
+
+    def run(self, rows: Rows, lanes: int) -> tuple[int, int] | None:
+        """Run timelines side by side until one shows a difference; give the scan and the timeline."""
+        every = alive = (1 << lanes) - 1
+        state: Sequence[int] = ()
+        for number, scan in enumerate(rows):
+            call = self.later if number else self.first
+            *state, bad, fair = call.call([*state, *scan], every)
+            self.budget.spend(call.cost * (1 + (lanes >> 9)))
+            self.scans = max(self.scans, number + 1)
+            alive &= fair
+            bad &= alive
+            if bad:
+                return number, (bad & -bad).bit_length() - 1
+            if not alive or self.budget.spent:
+                return None
+        return None
+
+    def lessened(self, rows: Rows) -> Rows:
+        """Take back presses one by one, as long as a difference remains, and cut off what comes after it."""
+        for _ in range(MOST_ROUNDS):
+            attempts = self.attempts(rows)
+            if not attempts or self.budget.spent:
+                return rows
+            lanes = [
+                [
+                    sum(attempt[scan][place] << lane for lane, attempt in enumerate(attempts))
+                    for place in range(len(self.names))
+                ]
+                for scan in range(len(rows))
+            ]
+            ended = self.run(lanes, len(attempts))
+            if ended is None:
+                return rows
+            last, lane = ended
+            rows = attempts[lane][: last + 1]
+        return rows
+
+    def attempts(self, rows: Rows) -> list[Rows]:
+        """Give the same scans with one press less each: an input stays as it was until it would have been so again."""
+        found: list[Rows] = []
+        for place, drifts in enumerate(self.drift):
+            if drifts:
+                continue
+            before = 0
+            for scan, row in enumerate(rows):
+                if row[place] != before:
+                    found.append(_without(rows, place, scan))
+                before = row[place]
+        return found
+
+
+def _without(rows: Rows, place: int, scan: int) -> Rows:
+    held = 1 - rows[scan][place]
+    end = next((later for later in range(scan, len(rows)) if rows[later][place] == held), len(rows))
+    return [
+        [held if number == place and scan <= at < end else value for number, value in enumerate(row)]
+        for at, row in enumerate(rows)
+    ]

@@ -1,0 +1,210 @@
+"""Two circuits over the same inputs, side by side, and the one question asked of them, whether an output can ever differ.
+
+What is compared, what is assumed of the inputs, and what does not matter all become gates, so that no way of proving has to know
+of them: `bad` is on where an output differs (one gate an output), `fair` where the inputs are such as may be.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from itertools import combinations
+from typing import TYPE_CHECKING, Any
+
+from plcteach.check.proof.circuit import Circuit, Setting, bases, circuit, split
+from plcteach.check.proof.terms import condition
+from plcteach.core.area import Address
+from plcteach.machine.gates import Gate, Graph, differs
+from plcteach.machine.scan import address_of
+from plcteach.machine.words import Vector
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Hashable, Iterable
+
+    from plcteach.core.exercise import Terms
+    from plcteach.core.program import Program
+    from plcteach.machine.store import Memory
+
+NO_TIME = 1
+
+
+@dataclass(frozen=True)
+class Question:
+    """What is asked of one kind of scan. bad: for each output where it differs; fair: where the inputs may be as they are."""
+
+    bad: dict[str, Gate]
+    fair: Gate
+
+
+@dataclass(frozen=True)
+class Product:
+    """Both programs as one machine. state: the names of the remembered bits that matter, with their gates in `start` and `next`.
+
+    inputs: the names of the variables that an operator, the clock or time moves, in order; those of them that are no operator's
+    stand in `drift`.  unit: ms of a tick.
+    """
+
+    graph: Graph
+    circuits: tuple[Circuit, Circuit]
+    first: Question
+    later: Question
+    start: dict[Hashable, Gate]
+    next: dict[Hashable, Gate]
+    unit: int
+    outputs: tuple[str, ...]
+    state: tuple[Hashable, ...] = ()
+    inputs: tuple[Hashable, ...] = ()
+
+    @property
+    def drift(self) -> frozenset[Hashable]:
+        """The variables among the inputs that nobody presses: ticks and clocks."""
+        return frozenset(name for name in self.inputs if isinstance(name, tuple) and name[0] != "in")
+
+    def of(self, outputs: Iterable[str]) -> Product:
+        """Give the same question about some of the outputs only, with what matters for those."""
+        wanted = tuple(outputs)
+        one = replace(
+            self,
+            first=Question({key: self.first.bad[key] for key in wanted}, self.first.fair),
+            later=Question({key: self.later.bad[key] for key in wanted}, self.later.fair),
+            outputs=wanted,
+        )
+        return one.narrowed()
+
+    def narrowed(self) -> Product:
+        """Keep only the remembered bits and inputs on which the answer can depend."""
+        roots = [*self.later.bad.values(), self.later.fair]
+        state: set[Hashable] = set()
+        while True:
+            names = set(self.graph.support([*roots, *(self.next[name] for name in state)]))
+            found = {name for name in names if name in self.next}
+            if found <= state:
+                break
+            state |= found
+        seen = self.graph.support(
+            [*roots, *self.first.bad.values(), self.first.fair]
+            + [gate for name in state for gate in (self.next[name], self.start[name])]
+        )
+        inputs = tuple(sorted((name for name in seen if name not in self.next), key=_rank))
+        return replace(self, state=tuple(name for name in self.next if name in state), inputs=inputs)
+
+
+def _rank(name: Hashable) -> tuple[Any, ...]:
+    """Put operators' inputs first, by address, then clocks and ticks."""
+    parts = name if isinstance(name, tuple) else (name,)
+    return (parts[0] != "in", *(f"{one:06d}" if isinstance(one, int) else _padded(str(one)) for one in parts))
+
+
+def _padded(text: str) -> str:
+    return ".".join(part.zfill(8) for part in text.split("."))
+
+
+def product(reference: Program, student: Program, terms: Terms) -> Product:
+    """Put two programs side by side; Unprovable where one of them has no circuit."""
+    dialect = reference.dialect
+    unit = min(bases(reference) | bases(student), default=NO_TIME)
+    setting = Setting(Graph(), unit)
+    pair = circuit(setting, 0, reference), circuit(setting, 1, student)
+    free = _free(pair)
+    if free:
+        setting = Setting(Graph(), unit, free)
+        pair = circuit(setting, 0, reference), circuit(setting, 1, student)
+    outputs = tuple(address_of(dialect, one).text for one in terms.outputs) or compared(pair[0])
+    ask = _Asking(setting.graph, pair, terms, outputs)
+    start, then = _remembered(pair)
+    if terms.single_change:
+        for name in ask.pressed:
+            start["was", name] = then["was", name] = setting.graph.variable(name)
+    first, later = ask.question(first=True), ask.question(first=False)
+    return Product(setting.graph, pair, first, later, start, then, unit, tuple(first.bad)).narrowed()
+
+
+def _remembered(pair: tuple[Circuit, Circuit]) -> tuple[dict[Hashable, Gate], dict[Hashable, Gate]]:
+    """Give what both remember, after the first scan and after a later one, each by its program and its key."""
+    start: dict[Hashable, Gate] = {}
+    then: dict[Hashable, Gate] = {}
+    for side, one in enumerate(pair):
+        start |= {(side, *key): gate for key, gate in split(one.start.items()).items()}
+        then |= {(side, *key): gate for key, gate in split(one.next.items()).items()}
+    return {name: start.get(name, pair[0].graph.zero) for name in then}, then
+
+
+def _free(pair: tuple[Circuit, Circuit]) -> frozenset[str]:
+    """Give the bits that the reference reads and nobody writes: they are inputs of the task, whatever area they lie in."""
+    dialect = pair[0].program.dialect
+    found = set()
+    for text in pair[0].reads - pair[0].writes - pair[1].writes:
+        place = dialect.address(text)
+        if not isinstance(place, Address) or place.size != 1 or text in dialect.specials:
+            continue
+        if dialect.area(place).role == "memory" and dialect.block(place) is None and not place.field:
+            found.add(place.text)
+    return frozenset(found)
+
+
+def compared(one: Circuit) -> tuple[str, ...]:
+    """Give the outputs that a program writes; where it writes none, everything that it writes."""
+    dialect = one.program.dialect
+    written = one.writes - set(dialect.specials)
+    places = [place for text in written if isinstance(place := dialect.address(text), Address)]
+    places.sort(key=lambda place: (place.area, place.index, place.text))
+    outputs = tuple(place.text for place in places if dialect.area(place).role == "output")
+    return outputs or tuple(place.text for place in places if place.size == 1 or dialect.block(place) is None)
+
+
+@dataclass
+class _Asking:
+    """The terms of a comparison, as gates."""
+
+    graph: Graph
+    pair: tuple[Circuit, Circuit]
+    terms: Terms
+    outputs: tuple[str, ...]
+
+    @property
+    def pressed(self) -> list[Hashable]:
+        """The inputs that an operator can press."""
+        return [name for name in self.graph.variables if isinstance(name, tuple) and name[0] == "in"]
+
+    def question(self, *, first: bool) -> Question:
+        """Ask about the first scan, or about any later one."""
+        memories = tuple(one.first if first else one.later for one in self.pair)
+        bad = {text: self.differ(text, memories) for text in self.outputs}
+        for text in self.terms.never:
+            made = self.formula(text, 1, memories[1])
+            bad[text] = made.surely | made.unknown
+        fair = self.graph.one
+        for text in self.terms.assume:
+            fair &= self.formula(text, 0, memories[0]).surely
+        if self.terms.single_change:
+            fair &= self.one_change(first=first)
+        return Question(bad, fair)
+
+    def differ(self, text: str, memories: tuple[Memory[Any], ...]) -> Gate:
+        """Say where an output differs, or is x in the student's program, and it matters."""
+        place = address_of(self.pair[0].program.dialect, text)
+        mine, theirs = (one.value(memory, place) for one, memory in zip(self.pair, memories, strict=True))
+        wrong = self.graph.zero
+        for a, b in _pairs(mine, theirs):
+            wrong |= differs(a, b) | b.unknown
+        spared = self.terms.dont_care.get(text)
+        return wrong & ~self.formula(spared, 0, memories[0]).surely if spared else wrong
+
+    def formula(self, text: str, side: int, memory: Memory[Any]) -> Any:
+        """Work a formula out over what a program's memory holds."""
+        one = self.pair[side]
+        value: Callable[[Address], Any] = lambda place: one.value(memory, place)  # noqa: E731
+        return condition(text, one.program.dialect).worked(value)
+
+    def one_change(self, *, first: bool) -> Gate:
+        """Say where at most one input is another than in the scan before; before the first all are 0."""
+        now = [self.graph.variable(name) for name in self.pressed]
+        if not first:
+            now = [one ^ self.graph.variable(("was", name)) for one, name in zip(now, self.pressed, strict=True)]
+        return ~self.graph.any(a & b for a, b in combinations(now, 2))
+
+
+def _pairs(mine: Any, theirs: Any) -> list[tuple[Any, Any]]:
+    if not isinstance(mine, Vector):
+        return [(mine, theirs)]
+    size = max(len(mine.signs), len(theirs.signs))
+    return [(mine.at(place), theirs.at(place)) for place in range(size)]

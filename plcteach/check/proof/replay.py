@@ -1,0 +1,110 @@
+"""A difference that was found among gates, done again by the plain machine, so that what is shown is what it does.
+
+The gates know of time only that a tick passes or none, and of the clocks nothing at all. Here each scan gets the ms that make it
+so; where no ms do, the difference was none that can happen.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from plcteach.check.proof.circuit import TICK
+from plcteach.check.proof.terms import condition
+from plcteach.core.verdict import Counterexample
+from plcteach.machine.scan import address_of, run
+from plcteach.machine.world import beat
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping, Sequence
+
+    from plcteach.check.proof.product import Product
+    from plcteach.check.proof.walk import Scan
+    from plcteach.core.exercise import Terms
+    from plcteach.core.program import Program
+    from plcteach.machine.scan import Trace
+
+Row = dict[str, int]
+MOST_SCANS = 20_000
+_STEP_MS, _LONGEST_MS = 10, 60_000
+
+
+@dataclass(frozen=True, slots=True)
+class Replay:
+    """A counterexample that the plain machine has confirmed, and which outputs differ in its last scan."""
+
+    example: Counterexample
+    wrong: tuple[str, ...]
+
+
+def rows_of(product: Product, scans: Sequence[Scan]) -> list[Row] | None:
+    """Give scans as the machine takes them; None where no time makes the clocks what they should be."""
+    dialect = product.circuits[0].program.dialect
+    clocks = [name[1] for name in product.inputs if isinstance(name, tuple) and name[0] == "clock"]
+    ticking = TICK in product.inputs
+    rows, now = [], 0
+    for number, scan in enumerate(scans):
+        row = _inputs(scan)
+        wanted = {clock: scan["clock", clock] for clock in clocks}
+        dt = product.unit * scan[TICK] if ticking else 0
+        if number and clocks:
+            found = next(
+                (
+                    ms
+                    for ms in ((dt,) if ticking else range(0, _LONGEST_MS + 1, _STEP_MS))
+                    if all(beat(dialect.specials[key], number, now + ms) == value for key, value in wanted.items())
+                ),
+                None,
+            )
+            if found is None:
+                return None
+            dt = found
+        if ticking or clocks:
+            now += dt if number else 0
+            row["ms"] = dt if number else 0
+        rows.append(row)
+    return rows
+
+
+def _inputs(scan: Scan) -> Row:
+    """Give the inputs of one scan by address; the bits of a word are put together."""
+    row: Row = {}
+    for name, value in scan.items():
+        if isinstance(name, tuple) and name[0] == "in":
+            row[name[1]] = row.get(name[1], 0) | value << (name[2] if len(name) > 2 else 0)  # noqa: PLR2004
+    return row
+
+
+def replay(
+    programs: tuple[Program, Program], rows: Sequence[Mapping[str, Any]], outputs: Sequence[str], terms: Terms
+) -> Replay | None:
+    """Run both programs on some inputs; None where nothing differs at the end."""
+    if not rows or len(rows) > MOST_SCANS:
+        return None
+    traces = [run(one, rows) for one in programs]
+    plain = [text for text in outputs if text not in terms.never]
+    expected, got = (
+        tuple({text: repr(trace.value(text, scan)) for text in plain} for scan in range(len(rows))) for trace in traces
+    )
+    for text in terms.never:
+        for scan in range(len(rows)):
+            expected[scan][text] = "0"
+            got[scan][text] = _holds(traces[1], text, scan)
+    last = len(rows) - 1
+    spared = {text for text, formula in terms.dont_care.items() if _holds(traces[0], formula, last) == "1"}
+    wrong = tuple(
+        text
+        for text in outputs
+        if text not in spared and (expected[last][text] != got[last][text] or got[last][text] == "x")
+    )
+    if not wrong:
+        return None
+    scans = tuple({key: int(value) for key, value in row.items()} for row in rows)
+    return Replay(Counterexample(scans, expected, got, last, wrong[0]), wrong)
+
+
+def _holds(trace: Trace, formula: str, scan: int) -> str:
+    """Give what a formula is after a scan."""
+    dialect = trace.program.dialect
+    found = condition(formula, dialect).worked(lambda place: trace.value(address_of(dialect, place.text).text, scan))
+    return repr(found)

@@ -1,0 +1,185 @@
+"""One step of two programs side by side, for every combination of inputs at once.
+
+A state is a whole number with a bit for each thing remembered; `None` is the moment before the first scan. A case is a whole
+number with a bit for each input. At the level "exact" a step is a scan. At the level "settled" it is as many scans as both need
+to come to rest with the inputs held: first, where a tick comes, with the inputs as they were, then with the new ones and no time.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from plcteach.check.proof.circuit import TICK
+from plcteach.check.proof.table import patterns
+
+if TYPE_CHECKING:
+    from collections.abc import Generator, Hashable, Iterator, Sequence
+
+    from plcteach.check.proof.product import Product
+
+MOST_SETTLING_SCANS = 32
+Scan = dict["Hashable", int]
+
+
+class Budget:
+    """How much work may still be done; counted in gates worked out, so that it is the same on every machine."""
+
+    def __init__(self, units: int) -> None:
+        self.units = units
+
+    def spend(self, units: int) -> None:
+        """Take some; `spent` says when there is none left."""
+        self.units -= units
+
+    @property
+    def spent(self) -> bool:
+        """Whether nothing is left."""
+        return self.units < 0
+
+
+@dataclass(frozen=True, slots=True)
+class Outcome:
+    """What a step from one state leads to. parts: sets of cases with the state that each leads to.
+
+    bad: the cases in which an output differs; restless: for each program the cases in which it never comes to rest.
+    """
+
+    parts: list[tuple[int, int | None]]
+    bad: int
+    restless: tuple[int, int] = (0, 0)
+
+
+class Walker:
+    """The two programs as functions of state and inputs."""
+
+    def __init__(self, product: Product, budget: Budget, *, settled: bool = False) -> None:
+        self.product, self.budget, self.settled = product, budget, settled
+        graph = product.graph
+        self.state, self.inputs = product.state, product.inputs
+        ends = [product.start[name] for name in self.state]
+        first = [*ends, graph.any(product.first.bad.values()), product.first.fair]
+        self.first = graph.compiled(first, self.inputs)
+        ends = [product.next[name] for name in self.state]
+        later = [*ends, graph.any(product.later.bad.values()), product.later.fair]
+        self.later = graph.compiled(later, (*self.state, *self.inputs))
+        self.every = (1 << (1 << len(self.inputs))) - 1
+        self.rows = patterns(len(self.inputs))
+        self.timed = [name == TICK or (isinstance(name, tuple) and name[0] == "here") for name in self.inputs]
+        self.sides = [int(isinstance(name, tuple) and name[0] == 1) for name in self.state]
+        self.bad = False
+        self.lasting = sum(1 << place for place, timed in enumerate(self.timed) if not timed)
+        self.pressed = sum(1 << place for place, name in enumerate(self.inputs) if name not in product.drift)
+        self.weight = 1 + (len(self.every.to_bytes(-(-self.every.bit_length() // 8))) >> 6)
+
+    def step(self, state: int | None, before: int = 0) -> Outcome:
+        """Give what follows from one state for all inputs at once; `before`: the case of the step that led there."""
+        if self.settled:
+            return self._settled(state, before)
+        if state is None:
+            self.budget.spend(self.first.cost * self.weight)
+            *ends, bad, fair = self.first.call(self.rows, self.every)
+        else:
+            self.budget.spend(self.later.cost * self.weight)
+            *ends, bad, fair = self.later.call([*self._spread(state), *self.rows], self.every)
+        return Outcome(self._parts(ends, fair), bad & fair)
+
+    def _spread(self, state: int) -> list[int]:
+        return [self.every if state >> place & 1 else 0 for place in range(len(self.state))]
+
+    def _parts(self, ends: Sequence[int], fair: int) -> list[tuple[int, int | None]]:
+        """Part the cases by the state that they lead to."""
+        parts = [(fair, 0)] if fair else []
+        for place, column in enumerate(ends):
+            if not column:
+                continue
+            bit, split = 1 << place, []
+            for cases, state in parts:
+                on = cases & column
+                if on != cases:
+                    split.append((cases ^ on, state))
+                if on:
+                    split.append((on, state | bit))
+            parts = split
+        self.budget.spend(len(parts) * len(ends) * self.weight >> 1)
+        return parts  # type: ignore[return-value]
+
+    def _settled(self, state: int | None, before: int) -> Outcome:
+        still = [0 if timed else row for timed, row in zip(self.timed, self.rows, strict=True)]
+        bad, moved = 0, [0, 0]
+        if state is None:
+            self.budget.spend(self.first.cost * self.weight)
+            *ends, _, fair = self.first.call(still, self.every)
+        else:
+            ends, fair = self._spread(state), self.every
+            if any(self.timed):
+                held = [self.every if before >> place & 1 else 0 for place in range(len(self.inputs))]
+                quiet = [0 if timed else value for timed, value in zip(self.timed, held, strict=True)]
+                tick = [row if timed else value for timed, value, row in zip(self.timed, held, self.rows, strict=True)]
+                ends, _ = self._scan(ends, tick)
+                ends, bad, _ = self._rest(ends, quiet, moved)
+        ends, worse, fairly = self._rest(ends, still, moved)
+        fair &= fairly
+        return Outcome(self._parts(ends, fair), (bad | worse) & fair, (moved[0] & fair, moved[1] & fair))
+
+    def _scan(self, ends: Sequence[int], inputs: Sequence[int]) -> tuple[list[int], tuple[int, int]]:
+        self.budget.spend(self.later.cost * self.weight)
+        *after, bad, fair = self.later.call([*ends, *inputs], self.every)
+        return after, (bad, fair)
+
+    def _rest(self, ends: list[int], inputs: Sequence[int], moved: list[int]) -> tuple[list[int], int, int]:
+        """Scan until nothing changes; note in which cases that never happens, and in which program."""
+        for _ in range(MOST_SETTLING_SCANS):
+            after, (bad, fair) = self._scan(ends, inputs)
+            if after == ends:
+                return after, bad, fair
+            before, ends = ends, after
+        for side, old, new in zip(self.sides, before, ends, strict=True):
+            moved[side] |= old ^ new
+        return ends, bad & ~(moved[0] | moved[1]), fair
+
+    def scans(self, cases: Sequence[int]) -> Iterator[Scan]:
+        """Give the scans that some steps stand for, each with its inputs by name; the last one shows the difference."""
+        if not self.settled:
+            yield from map(self._named, cases)
+            return
+        state: int | None = None
+        old = 0
+        for case in cases:
+            quiet, held = self._without_time(case), self._without_time(old)
+            if state is not None and case != quiet:
+                state = yield from self._held(state, held | case ^ quiet, held)
+                if case is cases[-1] and self.bad:
+                    return
+            if state is None or quiet != held or case == quiet:
+                state = yield from self._held(state, quiet, quiet)
+            old = case
+
+    def _held(self, state: int | None, case: int, still: int) -> Generator[Scan, None, int]:
+        """Give a scan of one case, and further ones of another until nothing changes."""
+        yield self._named(case)
+        now = self._one(state, case)
+        for _ in range(MOST_SETTLING_SCANS):
+            after = self._one(now, still)
+            if after == now:
+                break
+            yield self._named(still)
+            now = after
+        return now
+
+    def _one(self, state: int | None, case: int) -> int:
+        """Run one scan of one case."""
+        inputs = [case >> place & 1 for place in range(len(self.inputs))]
+        if state is None:
+            *ends, bad, _ = self.first.call(inputs, 1)
+        else:
+            remembered = [state >> place & 1 for place in range(len(self.state))]
+            *ends, bad, _ = self.later.call([*remembered, *inputs], 1)
+        self.bad = bool(bad)
+        return sum(bit << place for place, bit in enumerate(ends))
+
+    def _without_time(self, case: int) -> int:
+        return case & self.lasting
+
+    def _named(self, case: int) -> Scan:
+        return {name: case >> place & 1 for place, name in enumerate(self.inputs)}
