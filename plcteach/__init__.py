@@ -40,6 +40,8 @@ _WORDS = {
     "bench": "widgets.verbs",
     "live": "widgets.verbs",
     "desk": "widgets.verbs",
+    "progress": "widgets.progress",
+    "concept_test": "widgets.quiz",
     "language": "core.text",
 }
 

@@ -47,7 +47,9 @@ def test_the_browsers_pure_parts() -> None:
 
 def test_the_notebooks_give_what_they_show() -> None:
     notebooks = sorted(
-        str(path) for path in (ROOT / "notebooks").rglob("*.ipynb") if ".ipynb_checkpoints" not in path.parts
+        str(path)
+        for path in (ROOT / "notebooks").rglob("*.ipynb")
+        if not {".ipynb_checkpoints", "course"} & {*path.relative_to(ROOT).parts}
     )
     sanitize = ROOT / "tests" / "notebooks" / "sanitize.cfg"
     out = run(

@@ -15,7 +15,7 @@ from plcteach.ladder.picture import read_drawing
 from plcteach.ladder.telling import is_drawing
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Iterable, Iterator
 
     from plcteach.core.diagnostic import Diagnostic
     from plcteach.core.exercise import Exercise
@@ -42,9 +42,12 @@ def seen(exercise: Exercise) -> tuple[Ladder, ...]:
     return (read_drawing(given)[0],) if is_drawing(given) else ()
 
 
+_HALVES = re.compile("[\ud800-\udfff]")
+
+
 def text_of(answer: str | bytes) -> str:
-    """Give an answer as text."""
-    return answer if isinstance(answer, str) else decode(answer)
+    """Give an answer as text that can be written to a file: half a character from a broken paste is replaced."""
+    return _HALVES.sub("\ufffd", answer if isinstance(answer, str) else decode(answer))
 
 
 def refused(text: str) -> tuple[Diagnostic, ...]:
@@ -79,9 +82,10 @@ def graded(
     found: tuple[Diagnostic, ...] = (),
     says: tuple[Text, ...] = (),
     wrong: tuple[tuple[int, int], ...] = (),
+    grid: Iterable[Iterable[str]] = (),
 ) -> Judgement:
     """Make the judgement of an answer of which a share (0 to 1) is right; one that could not be read is an error."""
     status: Status = "error" if errors(found) else "equal" if share >= 1 else "different"
     verdict = Verdict(status, diagnostics=found[:MOST_REMARKS])
     parts, marks = parted(exercise, dict.fromkeys(_SHARES, share if status != "error" else 0.0))
-    return Judgement(exercise, answer, None, verdict, marks, parts, says, wrong)
+    return Judgement(exercise, answer, None, verdict, marks, parts, says, wrong, tuple(map(tuple, grid)))

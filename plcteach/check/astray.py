@@ -36,7 +36,7 @@ _LEAVES = Text(
     "第{row}行的{line}：从这里起，堆栈里的值不再通向{address}应有的结果。",
     "Row {row}, {line}: from here on the value on the stack no longer leads to what {address} should be.",
 )
-_INSTEAD = Text("参考程序在这一步执行的是{line}。", "The reference does {line} there.")
+_INSTEAD = Text("和参考程序的{line}比一比。", "Compare it with the reference's {line}.")
 _COMES = Text(
     "第{row}行的{line}：{address}要看{bit}，而{bit}从这里起和应有的不一样。",
     "Row {row}, {line}: {address} depends on {bit}, and {bit} is not made here as it should be.",

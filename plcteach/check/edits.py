@@ -21,11 +21,12 @@ if TYPE_CHECKING:
     from plcteach.core.spec import Dialect, Role
 
 Kind = Literal[
-    "join", "branch", "start", "invert", "contact", "priority", "order", "number", "block", "operand", "delete", "insert", "setting",
+    "join", "branch", "start", "invert", "contact", "priority", "order", "number", "block", "operand", "delete", "insert", "setting", "heading",
 ]  # fmt: skip
 """join: series or parallel.  branch: push, read, pop.  start: a block begins here, or does not.  invert: open or closed, rising
 or falling.  priority: two rungs that set and reset one bit change places.  order: two other rungs do.  number: a preset, or
-another number.  block: another kind of timer or counter.  setting: a word of a configuration line."""
+another number.  block: another kind of timer or counter.  setting: a word of a configuration line.
+heading: two networks are one."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -117,46 +118,63 @@ def _addresses(places: Iterator[Address] | list[Address]) -> tuple[str, ...]:
     return tuple(sorted(found, key=lambda text: (found[text].area, found[text].index, text)))
 
 
-def edits(listing: Listing, relevant: Callable[[int], bool]) -> Iterator[Edit]:
-    """Give every single edit of the relevant instructions, the likeliest kinds first, in a fixed order."""
+def edits(listing: Listing, relevant: Callable[[int], bool], *, shapes: bool = False) -> Iterator[Edit]:
+    """Give every single edit of the relevant instructions, the likeliest kinds first (what the reference uses before all), in a fixed order.
+
+    shapes: only those that change what happens to the stack, whatever contacts read.
+    """
     numbers = [number for number in range(len(listing.lines)) if relevant(number)]
-    for number in numbers:
-        yield from _other_words(listing, number)
+    words = {line.insn.word for line in listing.reference.lines}
+    kinds = _SHAPES if shapes else _WORDS
+    odd = [one for number in numbers for one in _other_words(listing, number, kinds)]
+    yield from (one for one in odd if one.after[0].partition(" ")[0] in words)
     yield from _rung_orders(listing, relevant)
     yield from _settings(listing)
-    for make in (_numbers, _blocks, _deleted, _operands):
+    for make in (_numbers, _blocks, _deleted) if shapes else (_numbers, _blocks, _deleted, _operands):
         for number in numbers:
             yield from make(listing, number)
-    for words in (_stack_words, _contact_words):
+    yield from _headings(listing)
+    yield from odd
+    starts_at = [start for start, _ in listing.rungs if relevant(start)]
+    for new in (_stack_words,) if shapes else (_stack_words, _contact_words):
         for number in numbers:
-            yield from (listing.behind("insert", number, word) for word in words(listing))
-        starts_at = [start for start, _ in listing.rungs if relevant(start)]
+            yield from (listing.behind("insert", number, word) for word in new(listing))
         for start in starts_at:
-            yield from (listing.changed("insert", start, word, taken=0) for word in words(listing))
+            yield from (listing.changed("insert", start, word, taken=0) for word in new(listing))
 
 
-def _other_words(listing: Listing, number: int) -> Iterator[Edit]:
-    """Give the same operands behind another instruction: joins, branches, the beginnings of blocks, inverses."""
-    line, dialect = listing.lines[number], listing.program.dialect
-    operands = line.text.partition(" ")[2]
-    kinds: tuple[tuple[Kind, tuple[str, ...]], ...] = (
-        ("join", turned(dialect, line.insn.mnemonic)),
-        ("branch", _branch_words(dialect, line.insn.mnemonic)),
-        ("start", starts(dialect, line.insn.mnemonic)),
-        ("invert", inverses(dialect, line.insn.mnemonic)),
-        ("contact", contacts(dialect, line.insn.mnemonic)),
-    )
-    for kind, words in kinds:
-        for word in words:
-            yield listing.changed(kind, number, f"{word} {operands}".strip())
-
-
-_FETCHING: tuple[Role, ...] = ("push", "read", "pop")
+_Words = tuple[tuple[Kind, "Callable[[Dialect, str], tuple[str, ...]]"], ...]
 
 
 def _branch_words(dialect: Dialect, mnemonic: str) -> tuple[str, ...]:
     words = [dialect.roles[role] for role in _FETCHING if role in dialect.roles]
     return tuple(word for word in words if word != mnemonic) if mnemonic in words else ()
+
+
+_SHAPES: _Words = (("join", turned), ("branch", _branch_words), ("start", starts))
+_WORDS: _Words = (*_SHAPES, ("invert", inverses), ("contact", contacts))
+
+
+def _other_words(listing: Listing, number: int, kinds: _Words) -> Iterator[Edit]:
+    """Give the same operands behind another instruction: joins, branches, the beginnings of blocks, inverses."""
+    line = listing.lines[number]
+    operands = line.text.partition(" ")[2]
+    for kind, find in kinds:
+        for word in find(listing.program.dialect, line.insn.mnemonic):
+            yield listing.changed(kind, number, f"{word} {operands}".strip())
+
+
+def _headings(listing: Listing) -> Iterator[Edit]:
+    """Take away the heading between two networks."""
+    for above, below in zip(listing.program.networks, listing.program.networks[1:], strict=False):
+        if above.lines and below.lines and below.headed and above.block == below.block:
+            at = next(number for number, line in enumerate(listing.lines) if line is below.lines[0])
+            row = listing.places[at] - 1 - len(below.lines[0].above)
+            rows = (*listing.rows[:row], *listing.rows[row + 1 :])
+            yield Edit("heading", at, at, (listing.rows[row],), (), rows)
+
+
+_FETCHING: tuple[Role, ...] = ("push", "read", "pop")
 
 
 def _rung_orders(listing: Listing, relevant: Callable[[int], bool]) -> Iterator[Edit]:

@@ -34,7 +34,8 @@ class Judgement:
     """One answer, judged: the program as it was read, the verdict, and the marks out of the exercise's points.
 
     program: None where the answer is no program.  parts: what the marks are made of; they add up to them.  says: further
-    remarks in the order in which they matter.  wrong: the cells of a grid that are not right, (row, column) from 0.
+    remarks in the order in which they matter.  grid: the cells of a grid as they were read.  wrong: those that are not right,
+    (row, column) from 0.
     """
 
     exercise: Exercise
@@ -45,6 +46,7 @@ class Judgement:
     parts: tuple[Part, ...] = ()
     says: tuple[Text, ...] = ()
     wrong: tuple[tuple[int, int], ...] = ()
+    grid: tuple[tuple[str, ...], ...] = ()
 
     def __repr__(self) -> str:
         return f"Judgement({self.exercise.id}: {self.verdict.status}, {self.marks:g}/{self.exercise.points:g})"

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from plcteach.check.judgement import Part
+from plcteach.core.diagnostic import rule
 from plcteach.core.text import Text
 
 if TYPE_CHECKING:
@@ -20,7 +21,6 @@ _NAMES = {
     "needs": Text("题目要求", "requirements"),
 }
 _USUAL = {"outputs": 1.0}
-_STYLE = "STY"
 _PER_REMARK = 0.25
 HALF = 0.5
 CAPPED = 0.75
@@ -66,7 +66,7 @@ def shares_of(verdict: Verdict, met: float = 1.0) -> dict[str, float]:
     equal = verdict.status == "equal"
     right = sum(one == "equal" for one in verdict.outputs.values())
     share = 1.0 if equal else right / len(verdict.outputs) if verdict.outputs else 0.0
-    remarks = sum(one.code.startswith(_STYLE) for one in verdict.diagnostics)
+    remarks = sum(rule(one.code).style for one in verdict.diagnostics)
     return {
         "outputs": 1.0 if equal else share * HALF,
         "steps": 1.0 if equal else agreeing(verdict, share),

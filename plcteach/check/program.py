@@ -5,10 +5,10 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from plcteach.check.against import verdict_on
+from plcteach.check.answers import text_of
 from plcteach.check.judgement import Judgement
 from plcteach.check.marks import parted, shares_of
 from plcteach.check.needs import unmet
-from plcteach.core.source import decode
 from plcteach.core.text import Text
 from plcteach.core.verdict import Verdict
 from plcteach.ladder.picture import read_drawing
@@ -33,8 +33,8 @@ def judged_program(
     refused: Callable[[Program], tuple[Diagnostic, ...]] = lambda _: (),
 ) -> Judgement:
     """Judge a program; `refused` gives what this kind of task does not accept, whatever the program does."""
-    text = answer if isinstance(answer, str) else decode(answer)
-    program = read(answer, exercise.dialect)
+    text = text_of(answer)
+    program = read(text, exercise.dialect)
     found = refused(program) if program.lines else ()
     verdict = verdict_on(wanted, program, exercise.terms)
     if found:

@@ -13,7 +13,8 @@ from typing import TYPE_CHECKING
 from plcteach.check.against import verdict_on
 from plcteach.check.edits import Edit, Listing, edits
 from plcteach.check.repaired import Repair
-from plcteach.check.rungs import relevant_lines, rungs
+from plcteach.check.rules import STACK_RULES
+from plcteach.check.rungs import network_lines, relevant_lines, rungs
 from plcteach.core.diagnostic import errors
 from plcteach.core.exercise import Terms
 from plcteach.machine.scan import run
@@ -30,11 +31,13 @@ __all__ = ["Repair", "repair"]
 
 MOST_LINES = 200
 """A longer program is not searched: an edit there is for a learner to find rung by rung."""
-MOST_WORK = 60_000
+MOST_WORK = 40_000
 """Instructions read, replayed and proved, all together; the other numbers weigh them by what they cost on the average."""
 PER_READING = 3
 PER_PROOF = 20
 PER_PROOF_IN_TIME = 300
+PER_TRIAL = 12_000
+"""A proof that did not come to an end has tried many timelines."""
 MOST_SCANS = 600
 MOST_KNOWN = 8
 _HELD = 4
@@ -61,14 +64,25 @@ def repair(
     search = _Search(reference, terms)
     search.learn(verdict, program)
     listing = Listing(program, reference, rungs(program))
+    relevant, shapes = _scope(verdict, listing)
     tried = {"".join(f"{row}\n" for row in listing.rows)}
-    for edit in edits(listing, relevant_lines(listing.rungs, program, _wrong(verdict))):
+    for edit in edits(listing, relevant, shapes=shapes):
         if search.work > MOST_WORK:
             return None
         if edit.text not in tried and search.mends(edit) and (accepts is None or accepts(edit.text)):
             return Repair(edit, program)
         tried.add(edit.text)
     return None
+
+
+def _scope(verdict: Verdict, listing: Listing) -> tuple[Callable[[int], bool], bool]:
+    """Say which lines a repair may touch, and whether only the shape of the list is wrong and not what its contacts read."""
+    program = listing.program
+    found = errors(verdict.diagnostics) if verdict.status == "error" else []
+    if not found:
+        return relevant_lines(listing.rungs, program, _wrong(verdict)), False
+    places = network_lines(program, found[0].span.row)
+    return (lambda number: number in places), all(one.code in STACK_RULES for one in found)
 
 
 def _wrong(verdict: Verdict) -> tuple[str, ...]:
@@ -126,5 +140,6 @@ class _Search:
         if verdict.status != "error":
             timed = any("drive" in line.insn.does for line in program.lines)
             self.work += (PER_PROOF_IN_TIME if timed else PER_PROOF) * len(program.lines)
+            self.work += PER_TRIAL if verdict.status == "unknown" else 0
             self.learn(verdict, program)
         return verdict.status == "equal"

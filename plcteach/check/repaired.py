@@ -36,7 +36,8 @@ class Repair:
     def row(self) -> int:
         """The row of the learner's text at which it begins; for an insertion the row above it, 0 at the very beginning."""
         if self.edit.at < 0:
-            return self.program.source.split("\n").index(self.before) + 1 if self.before in self.program.source.split("\n") else 0
+            rows = (row.upper().split() for row in self.program.source.splitlines())
+            return next((number for number, row in enumerate(rows, 1) if row == self.before.upper().split()), 0)
         lines = self.program.lines
         if self.edit.before:
             return lines[self.edit.at].span.row
@@ -65,29 +66,43 @@ class Repair:
                 f"Look at rows {row} to {last}: one change there is enough.",
             )
         if not row:
-            return Text("看程序的开头：只在那里改一处就够了。", "Look at the very beginning: one change there is enough.")
+            return Text(
+                "看程序的开头：只在那里改一处就够了。", "Look at the very beginning: one change there is enough."
+            )
         if self.edit.before:
             return Text(
                 f"看第{row}行：{self.before}。只改这一行，程序就符合要求。",
                 f"Look at row {row}: {self.before}. A change in this row alone is enough.",
             )
-        return Text(f"看第{row}行的后面：只在那里改一处就够了。", f"Look just behind row {row}: one change there is enough.")
+        return Text(
+            f"看第{row}行的后面：只在那里改一处就够了。", f"Look just behind row {row}: one change there is enough."
+        )
 
     def _edit(self) -> Text:
-        row, before, after = self.row, self.before, self.after
+        before, after = self.before, self.after
+        if self.kind == "heading":
+            return Text(
+                "去掉那里的网络标题，两个网络合成一个。",
+                "Take the heading there away, so that the two networks become one.",
+            )
         if self.kind in {"order", "priority"}:
             first, second = self.edit.before[0], self.edit.after[0]
             return Text(
                 f"把从{first}开始的梯级和从{second}开始的梯级对调。",
                 f"Let the rung that begins with {first} and the one that begins with {second} change places.",
             )
-        if not after:
-            return Text(f"去掉第{row}行的{before}。", f"Take {before} out of row {row}.")
-        if before:
-            return Text(f"把第{row}行的{before}改成{after}。", f"In row {row} make {before} into {after}.")
-        if not row:
-            return Text(f"在最前面加一行：{after}。", f"Put {after} before the first row.")
-        return Text(f"在第{row}行后面加一行：{after}。", f"Put {after} behind row {row}.")
+        if not self.row:
+            into = Text(f"把{before}改成{after}。", f"Make {before} into {after}.")
+            return into if before else Text(f"在最前面加一行：{after}。", f"Put {after} before the first row.")
+        return _in_row(self.row, before, after)
+
+
+def _in_row(row: int, before: str, after: str) -> Text:
+    if not after:
+        return Text(f"去掉第{row}行的{before}。", f"Take {before} out of row {row}.")
+    if before:
+        return Text(f"把第{row}行的{before}改成{after}。", f"In row {row} make {before} into {after}.")
+    return Text(f"在第{row}行后面加一行：{after}。", f"Put {after} behind row {row}.")
 
 
 _KINDS: dict[Kind, Text] = {
@@ -127,5 +142,9 @@ _KINDS: dict[Kind, Text] = {
     "operand": Text("指令可以不变，要换的是操作数：说的是哪一个地址？", "The instruction can stay; what changes is the operand: which address is meant?"),
     "delete": Text("这里有一条指令是多余的。", "One instruction here is too many."),
     "insert": Text("这里少了一条指令。", "One instruction is missing here."),
+    "heading": Text(
+        "问题在于网络从哪里分开：堆栈里的值不留给下一个网络。",
+        "It is about where networks part: no value on the stack is kept for the next one.",
+    ),
     "setting": Text("问题在于这一行设定的一个值。", "It is about one value that this row sets."),
 }  # fmt: skip

@@ -7,6 +7,7 @@ from html import escape
 from typing import TYPE_CHECKING, Any, Literal
 
 from plcteach.check.chart import chart_of
+from plcteach.check.judge import shown
 from plcteach.core.diagnostic import errors
 from plcteach.core.text import NOTHING, Text
 
@@ -103,6 +104,10 @@ _WORDS = {
         "当{inputs}时，{address}应为{expected}，你的程序给出{got}{scan}。",
         "With {inputs}, {address} should be {expected}; your program gives {got}{scan}.",
     ),
+    "never": Text(
+        "当{inputs}时，{address}成立，而这绝不允许出现{scan}。",
+        "With {inputs}, {address} holds, and that must never be{scan}.",
+    ),
     "match": Text(
         "当{inputs}时，程序使{address}为{expected}，这个梯形图使它为{got}{scan}。",
         "With {inputs}, the list makes {address} {expected}, and this ladder makes it {got}{scan}.",
@@ -144,6 +149,8 @@ def _wrong(judgement: Judgement) -> Text:
     verdict, kind = judgement.verdict, judgement.exercise.kind
     if verdict.counterexample is None and kind in _ALL_RIGHT:
         return _PARTLY.format(marks=marks_said(judgement), first=next(iter(judgement.says), _NOT_YET))
+    if verdict.counterexample is not None and verdict.counterexample.address in judgement.exercise.terms.never:
+        return _different(verdict, _WORDS["never"])
     return _different(verdict, _WORDS["match" if kind == "match" else "program"])
 
 
@@ -228,6 +235,8 @@ def report_html(judgement: Judgement, lang: str) -> str:
     chart = chart_of(judgement.verdict)
     if chart:
         rows.append(_chart_html(chart, lang))
+    if judgement.grid and judgement.wrong:
+        rows.append(_grid_html(judgement, lang))
     return "".join(rows)
 
 
@@ -248,11 +257,28 @@ def _chart_html(chart: Chart, lang: str) -> str:
     return f"<table><tr><th></th>{holds}</tr>{body}</table>"
 
 
+def _grid_html(judgement: Judgement, lang: str) -> str:
+    """Write the grid as it was filled in, with what is not right marked; what would be right it does not tell."""
+    sheet = shown(judgement.exercise)
+    heads = [one.in_(lang) for one in sheet.heads] or list(sheet.columns)
+    head = "".join(f'<th scope="col" style="{_CELL}">{escape(one)}</th>' for one in heads)
+    wrong = set(judgement.wrong)
+    body = "".join(
+        f'<tr><th scope="row" style="text-align:left"><code>{escape(name)}</code></th>'
+        + "".join(_cell_html(sign, wrong=(row, at) in wrong) for at, sign in enumerate(signs))
+        + "</tr>"
+        for row, (name, signs) in enumerate(zip(sheet.rows, judgement.grid, strict=True))
+    )
+    return f"<table><tr><th></th>{head}</tr>{body}</table>"
+
+
+def _cell_html(value: str, *, wrong: bool) -> str:
+    said = f"<strong>≠ {escape(value)}</strong>" if wrong else escape(value)
+    return f'<td style="{_CELL}">{said}</td>'
+
+
 def _chart_row(row: ChartRow, lang: str) -> str:
     differs = row.differs or (False,) * len(row.values)
-    cells = "".join(
-        f'<td style="{_CELL}">{f"<strong>≠ {escape(value)}</strong>" if wrong else escape(value)}</td>'
-        for value, wrong in zip(row.values, differs, strict=True)
-    )
+    cells = "".join(_cell_html(value, wrong=wrong) for value, wrong in zip(row.values, differs, strict=True))
     label = escape(row.label.in_(lang))
     return f'<tr><th scope="row" style="text-align:left"><code>{label}</code></th>{cells}</tr>'

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from plcteach.core.area import Address
 from plcteach.core.effect import names
 from plcteach.machine.walk import walk
 
@@ -41,6 +42,17 @@ def _begins(move: Move, before: Move) -> bool:
     return bool(clause.gives) and not names(clause.gives[-1].formula) & taken
 
 
+def network_lines(program: Program, row: int) -> range:
+    """Give the instructions of the network in which a row of the text stands; all where none does."""
+    first = 0
+    for network in program.networks:
+        last = first + len(network.lines)
+        if network.lines and network.lines[0].span.row <= row <= network.lines[-1].span.row:
+            return range(first, last)
+        first = last
+    return range(first)
+
+
 def relevant_lines(parts: tuple[Rung, ...], program: Program, wrong: Iterable[str]) -> Callable[[int], bool]:
     """Give what says of an instruction whether its rung can touch one of some outputs; without outputs all can."""
     outputs = set(wrong)
@@ -64,9 +76,12 @@ def relevant_lines(parts: tuple[Rung, ...], program: Program, wrong: Iterable[st
 def _whole(program: Program, text: str) -> str:
     """Give the block that a field belongs to, or the bit itself."""
     place = program.dialect.address(text)
-    return program.dialect.whole(place).text if place is not None and hasattr(place, "field") else text
+    return program.dialect.whole(place).text if isinstance(place, Address) else text
 
 
 def _wanders(program: Program) -> bool:
     """Say whether something decides which lines are executed, so that any line may matter."""
-    return any(line.insn.does & {"jump", "call", "loop", "master", "segment", "step", "shift", "work"} for line in program.lines)
+    return any(
+        line.insn.does & {"jump", "call", "loop", "master", "segment", "step", "shift", "work"}
+        for line in program.lines
+    )

@@ -12,12 +12,12 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from plcteach.check.proof.product import product
-from plcteach.check.proof.trial import Trial
-from plcteach.check.tried import LASTING, tried
+from plcteach.check.proof.trial import LASTING, Trial
+from plcteach.check.tried import tried
 from plcteach.core.diagnostic import Diagnostic, refuse, rule
 from plcteach.core.exercise import Terms
 from plcteach.core.source import Span
-from plcteach.core.verdict import Status, Verdict
+from plcteach.core.verdict import Verdict
 from plcteach.dialects import names
 from plcteach.ladder.either import read_either
 from plcteach.machine.gates import Unprovable
@@ -111,27 +111,24 @@ def _judged(reference: Program, student: Program, terms: Terms) -> Verdict:
 
 def _in_time(trial: Trial, terms: Terms) -> Verdict:
     """Judge two programs with a memory at the level asked for."""
-    exact = trial.decided(settled=False) if terms.level != "settled" else trial.unknown()
-    if exact.status == "equal" or terms.level == "exact":
-        return exact if exact.status != "unknown" else _tried(*trial.programs, terms, exact)
+    if terms.level == "exact":
+        return trial.decided(settled=False)
+    exact = trial.decided(settled=False, alone=True) if terms.level == "either" else trial.unknown()
+    if exact.status == "equal":
+        return exact
     settled = replace(trial.decided(settled=True), level="settled")
-    if settled.status == "equal":
-        later = (rule("CHK003").at(Span(0)),) if terms.level == "either" else ()
-        return replace(settled, diagnostics=later)
-    if settled.status == "different" or (terms.level == "settled" and settled.status == "unsettled"):
-        return settled
+    if settled.status == "equal" and terms.level == "either":
+        return replace(settled, diagnostics=(rule("CHK003").at(Span(0)),))
     if settled.status == "unsettled" and exact.status == "different":
-        return exact if trial.restless == 0 else replace(exact, diagnostics=(rule("CHK004").at(Span(0)),))
-    return _tried(*trial.programs, terms, settled)
+        shown = trial.decided(settled=False)
+        return shown if trial.restless == 0 else replace(shown, diagnostics=(rule("CHK004").at(Span(0)),))
+    return settled
 
 
-def _tried(reference: Program, student: Program, terms: Terms, open_one: Verdict | None = None) -> Verdict:
+def _tried(reference: Program, student: Program, terms: Terms) -> Verdict:
     """Try two programs over many timelines on the plain machine; exactly, or so that only a difference that lasts counts."""
-    outputs = tuple(open_one.outputs) if open_one else _outputs(reference, terms)
-    verdict = tried((reference, student), outputs, terms, lasting=1 if terms.level == "exact" else LASTING)
-    if verdict.status == "unknown" and open_one is not None:
-        said: dict[str, Status] = {text: one if one == "equal" else "unknown" for text, one in open_one.outputs.items()}
-        verdict = replace(verdict, outputs=said, explored=max(verdict.explored, open_one.explored))
+    lasting = 1 if terms.level == "exact" else LASTING
+    verdict = tried((reference, student), _outputs(reference, terms), terms, lasting=lasting)
     return replace(verdict, level="settled") if terms.level == "settled" else verdict
 
 

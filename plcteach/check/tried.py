@@ -23,15 +23,13 @@ if TYPE_CHECKING:
     from plcteach.core.exercise import Terms
     from plcteach.core.program import Program
 
-TIMELINES = 64
-SCANS = 400
+TIMELINES = 32
+SCANS = 200
 FEW_TIMELINES = 4
 FEW_SCANS = 60
 """A program that goes back in its scan runs timeline after timeline, so it is tried over fewer of them."""
-LASTING = 5
-"""A difference that is over sooner may be no more than rungs in another order."""
 SCAN_MS = 20
-MOST_LINE_SCANS = 3_000_000
+MOST_LINE_SCANS = 500_000
 _SEED = 20030907
 
 Row = dict[str, Any]

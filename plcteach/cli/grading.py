@@ -70,7 +70,12 @@ def _exercise(name: str) -> Exercise:
 
 def _say_stopped(options: argparse.Namespace) -> None:
     if not options.json:
-        print(say("中断了。已批改的都留着；再运行同一条命令就接着批改。", "Stopped. What is judged is kept; the same command goes on from there."))
+        print(
+            say(
+                "中断了。已批改的都留着；再运行同一条命令就接着批改。",
+                "Stopped. What is judged is kept; the same command goes on from there.",
+            )
+        )
 
 
 def _say_done(graded: Graded, task: Exercise, out: Path, options: argparse.Namespace) -> None:

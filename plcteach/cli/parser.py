@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from plcteach import __version__
-from plcteach.cli import ladders
+from plcteach.cli import exercises, ladders
 from plcteach.cli import verbs as verbs_of
 from plcteach.cli.grading import grade_verb
 from plcteach.dialects import names
@@ -38,6 +38,7 @@ def parser_of_all() -> argparse.ArgumentParser:
     _ladder_verbs(verbs, reading)
     _making_verbs(verbs, common, reading)
     _grading_verb(verbs, common)
+    _exercise_verbs(verbs, common, reading)
     return parser
 
 
@@ -171,6 +172,36 @@ def _grading_verb(verbs: Any, common: argparse.ArgumentParser) -> None:
     one.add_argument("--cluster", metavar="ADDRESS", help="judge on a dask.distributed cluster, as tcp://host:8786")
     one.add_argument("--encoding", help="encoding to try after UTF-8 (then GBK, cp1252)")
     one.add_argument("--json", action="store_true", help="print the results as JSON")
+
+
+def _exercise_verbs(verbs: Any, common: argparse.ArgumentParser, reading: argparse.ArgumentParser) -> None:
+    about = "list and show exercises, write one from a ladder, or prove one"
+    parser = _verb(verbs, "exercise", exercises.list_verb, [common], about)
+    parser.set_defaults(dialect=None, json=False)
+    some = parser.add_subparsers(title="verbs", metavar="VERB")
+    json: dict[str, Any] = {"action": "store_true", "help": "print JSON only"}
+
+    one = _verb(some, "list", exercises.list_verb, [common], "print the catalogue in teaching order")
+    one.add_argument("--dialect", choices=names(), help="only of this PLC family")
+    one.add_argument("--json", **json)
+
+    one = _verb(some, "show", exercises.show_verb, [common], "print a task as a learner sees it")
+    one.add_argument("what", metavar="ID", help="a bundled exercise, a drill (drill-blocks-2-7-…), or a .toml file")
+
+    one = _verb(some, "new", exercises.new_verb, [reading], "write an exercise file from a ladder drawing or a list")
+    one.add_argument("file", help="a ladder drawing, a list or a PLCopen file; - for standard input")
+    one.add_argument(
+        "--kind",
+        choices=["write", "complete", "bug", "order", "predict", "join", "match", "chart"],
+        default="write",
+        help="what the learner is asked to do (default: write the list)",
+    )
+    one.add_argument("-o", "--output", type=Path, metavar="FILE.toml", help="where to write it (default: standard output)")
+    one.add_argument("--force", action="store_true", help="write over a file that is there already")
+
+    one = _verb(some, "test", exercises.test_verb, [common], "prove that exercises accept what is right and refuse what is wrong")
+    one.add_argument("what", nargs="*", metavar="FILE", help="files, folders or ids (default: all bundled exercises)")
+    one.add_argument("--json", **json)
 
 
 def _count(word: str) -> int:

@@ -18,10 +18,10 @@ if TYPE_CHECKING:
 
 
 @cache
-def _bundled() -> dict[str, Exercise]:
+def _bundled(folder: str = "") -> dict[str, Exercise]:
     found = [
         parse(entry.read_text(encoding="utf-8"), entry.name.removesuffix(".toml"))
-        for entry in files(__package__).iterdir()
+        for entry in files(__package__).joinpath(folder).iterdir()
         if entry.name.endswith(".toml")
     ]
     return {one.id: one for one in sorted(found, key=lambda one: (one.order, one.id))}
@@ -32,12 +32,20 @@ def ids() -> tuple[str, ...]:
     return tuple(_bundled())
 
 
+def concept_test() -> tuple[Exercise, ...]:
+    """Give the twelve short questions that are asked before a course and after it, each about one usual wrong idea."""
+    return tuple(_bundled(_CONCEPT).values())
+
+
+_CONCEPT = "concept"
+
+
 def exercise(name: str | Exercise) -> Exercise:
-    """Give a bundled exercise by its id; UnknownNameError suggests the nearest."""
+    """Give a bundled exercise, or a question of the concept test, by its id; UnknownNameError suggests the nearest."""
     if isinstance(name, Exercise):
         return name
     try:
-        return _bundled()[name]
+        return _bundled()[name] if name in _bundled() else _bundled(_CONCEPT)[name]
     except KeyError:
         kind = "exercise"
         raise UnknownNameError(kind, name, _bundled()) from None

@@ -119,11 +119,9 @@ class Live:
     # a recording
 
     def recording(self) -> Timeline:
-        """Give what has been done since power-on and what the outputs were: the tape itself while one runs."""
-        if self.tape:
-            return self.tape
+        """Give what has been done since power-on, by hand or by a tape, and what the outputs were."""
         stop = self.now + self.scan_ms
-        hands = tuple(one for name, edges in self.touched.items() if (one := course(f"@{name}", edges, stop)))
+        hands = tuple(one for name, edges in self.by_hand().items() if (one := course(f"@{name}", edges, stop)))
         return recorded(self.trace(), self.past, hands, self.plant.sense() if self.plant else ())
 
     def replay(self, line: Timeline, memory: Memory[Column] | None = None) -> None:
@@ -146,9 +144,15 @@ class Live:
             return
         senses = self.plant.sense() if self.plant else {}
         self.held = {one: value for one, value in self.row().items() if value and one not in senses}
-        done = {one.address[1:]: [(phase.start_ms, phase.value) for phase in one.phases] for one in self.tape.hands}
-        self.touched = {name: [edge for edge in edges if edge[0] < self.next_ms] for name, edges in done.items()}
+        self.touched = self.by_hand()
         self.tape = None
+
+    def by_hand(self) -> dict[str, Edges]:
+        """Give what has been done so far at the plant where no input sees it."""
+        if self.tape is None:
+            return self.touched
+        done = {one.address[1:]: [(phase.start_ms, phase.value) for phase in one.phases] for one in self.tape.hands}
+        return {name: [edge for edge in edges if edge[0] < self.next_ms] for name, edges in done.items()}
 
     def compare(self) -> None:
         """Hold the outputs of the last scan against the recording."""

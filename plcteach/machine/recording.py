@@ -82,9 +82,7 @@ def recorded(
             if found:
                 yield found
 
-    rows = tuple(
-        one for one in courses("input") if one.address in always or any(phase.value for phase in one.phases)
-    )
+    rows = tuple(one for one in courses("input") if one.address in always or any(phase.value for phase in one.phases))
     return Timeline(rows, until, trace.scan_ms, seen=tuple(courses("output")), hands=hands)
 
 

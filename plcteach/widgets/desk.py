@@ -14,10 +14,10 @@ from plcteach.core.text import NOTHING, Text
 from plcteach.dialects import dialect as find_dialect
 from plcteach.exercises import exercise as find_exercise
 from plcteach.stl import read
-from plcteach.widgets.answered import hints_for, marks_of, verdict_of
+from plcteach.widgets.answered import Hints, marks_of, verdict_of
 from plcteach.widgets.bench import as_json
-from plcteach.widgets.keeping import Notes, hinted, modelled, tried, typed
-from plcteach.widgets.material import sheet_of, still_of, task_of
+from plcteach.widgets.keeping import Notes, Record, hinted, modelled, tried, typed
+from plcteach.widgets.material import discreet, sheet_of, still_of, task_of
 from plcteach.widgets.replay import Replay, given_run, wrong_run
 from plcteach.widgets.show import Shown, module, styles
 
@@ -50,6 +50,9 @@ class ExerciseDesk(Shown):
     serial = traitlets.Int(0).tag(sync=True)
     index = traitlets.Int(0).tag(sync=True)
 
+    _tells = True
+    """Whether a grid may be marked while it is filled in."""
+
     def __init__(self, exercise: str | Exercise, text: str | None = None, **values: Any) -> None:
         self._notes = Notes()
         super().__init__(**values)
@@ -62,7 +65,7 @@ class ExerciseDesk(Shown):
         self._exercise, self._sheet = exercise, sheet_of(exercise)
         self._dialect = find_dialect(exercise.dialect)
         self.judgement: Judgement | None = None
-        self._told: list[Text] = []
+        self._hints = Hints(exercise)
         self._start = self._sheet.start if text is None else text
         record = self._record()
         self._known = record.text
@@ -74,7 +77,8 @@ class ExerciseDesk(Shown):
             self._say_kept()
             self._answer()
 
-    def _record(self) -> Any:
+    def _record(self) -> Record:
+        """Give what is kept of the exercise."""
         return self._notes.record(self._exercise.id)
 
     def _changed(self, _change: object) -> None:
@@ -85,10 +89,13 @@ class ExerciseDesk(Shown):
         """Keep the text as typed in the file beside the notebook; opening a desk alone writes nothing."""
         if self.source in {self._known, self._start if self._known is None else self._known}:
             return
-        self._notes.change(self._exercise.id, typed(self.source, self._start, self._known))
+        self._write()
         self._known = self.source
         if self._notes.trouble:
             self._say_kept()
+
+    def _write(self) -> None:
+        self._notes.change(self._exercise.id, typed(self.source, self._start, self._known))
 
     def _answer(self) -> None:
         """Tell the page what is found in the text as it is typed; of a grid, which rows are right, if that is wanted."""
@@ -100,15 +107,15 @@ class ExerciseDesk(Shown):
             "ok": not errors(found),
             "dialect": {"title": self._dialect.title.as_dict()},
         }
-        if self._sheet.form == "grid" and self.feedback == "each":
-            report["marks"] = marks_of(self._exercise, self.source)
+        if self._sheet.form == "grid" and self.feedback == "each" and self._tells:
+            with discreet(self._exercise):
+                report["marks"] = marks_of(self._exercise, self.source)
         self.report = json.dumps(report, ensure_ascii=False)
 
     def _say_hints(self) -> None:
         """Tell the page the hints that were asked for; the others stay here."""
-        left = len([one for one in hints_for(self._exercise, self.judgement) if one not in self._told])
-        said = [one.as_dict() for one in self._told]
-        self.hints = json.dumps({"shown": said, "left": left}, ensure_ascii=False)
+        said = [one.as_dict() for one in self._hints.told]
+        self.hints = json.dumps({"shown": said, "left": int(self._hints.some)}, ensure_ascii=False)
 
     def _say_kept(self) -> None:
         record = self._record()
@@ -117,7 +124,7 @@ class ExerciseDesk(Shown):
             {
                 "attempts": record.attempts,
                 "best": record.best,
-                "hints": max(record.hints, len(self._told)),
+                "hints": max(record.hints, len(self._hints.told)),
                 "model": record.model,
                 "trouble": trouble.as_dict(),
             },
@@ -125,7 +132,7 @@ class ExerciseDesk(Shown):
         )
 
     def _asked(self, _widget: object, content: dict[str, Any], _buffers: object) -> None:
-        """Do what a button in the page asks; whatever goes wrong with a hidden exercise tells nothing of it."""
+        """Do what a button in the page asks."""
         deeds = {"check": self.check, "show": self.show, "hint": self.hint, "model": self.show_model}
         deed = deeds.get(str(content.get("type")))
         if deed:
@@ -134,7 +141,9 @@ class ExerciseDesk(Shown):
     def check(self) -> Judgement:
         """Judge the answer as it stands now, and count the attempt."""
         self._keep()
-        self.judgement = judge(self._exercise, self.source)
+        with discreet(self._exercise):
+            self.judgement = judge(self._exercise, self.source)
+        self._hints.after(self.judgement)
         self._notes.change(self._exercise.id, tried(self.judgement.marks, self._exercise.points))
         with self.hold_sync():
             self._say_kept()
@@ -144,10 +153,10 @@ class ExerciseDesk(Shown):
 
     def hint(self) -> Text | None:
         """Give the next hint, and count it; None when there is no other."""
-        another = next((one for one in hints_for(self._exercise, self.judgement) if one not in self._told), None)
+        with discreet(self._exercise):
+            another = self._hints.next()
         if another:
-            self._told.append(another)
-            self._notes.change(self._exercise.id, hinted(len(self._told)))
+            self._notes.change(self._exercise.id, hinted(len(self._hints.told)))
         with self.hold_sync():
             self._say_hints()
             self._say_kept()
@@ -156,7 +165,9 @@ class ExerciseDesk(Shown):
     def show(self) -> None:
         """Put the learner's own program into the player, where it goes wrong, and the reference's run beside it."""
         if self.judgement:
-            self._play(wrong_run(self.judgement))
+            with discreet(self._exercise):
+                replay = wrong_run(self.judgement)
+            self._play(replay)
 
     def show_model(self) -> None:
         """Show an answer that gets full marks, once the learner has tried; marks after that are not counted as the best."""

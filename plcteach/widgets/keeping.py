@@ -25,6 +25,7 @@ NAME = ".plcteach-progress.json"
 ASKED = "PLCTEACH_PROGRESS"
 _VERSION = 1
 _MOST_EARLIER = 5
+_MOST_NUMBER = 1e9
 _PATIENCE, _STALE, _NAP = 2.0, 10.0, 0.02
 
 Table = dict[str, Any]
@@ -75,6 +76,10 @@ class Notes:
         """Give what is known of all exercises, by id."""
         return {name: row for name, row in self._read().get("exercises", {}).items() if isinstance(row, dict)}
 
+    def records(self) -> dict[str, Record]:
+        """Give what is known of all exercises, by id, read once."""
+        return {name: _record(row) for name, row in self.exercises().items()}
+
     def test(self, name: str) -> Table:
         """Give what is known of a concept test."""
         row = self._read().get("tests", {}).get(name)
@@ -82,6 +87,7 @@ class Notes:
 
     def change(self, name: str, change: Callable[[Table], None], *, among: str = "exercises") -> None:
         """Change what is known of one exercise (or test), and nothing else, whoever else writes meanwhile."""
+        self.trouble = None
         try:
             with _alone(self.path):
                 table = self._open()
@@ -179,7 +185,7 @@ def _record(row: object) -> Record:
 
 
 def _number(value: object) -> float:
-    good = isinstance(value, int | float) and not isinstance(value, bool) and 0 <= value < 1e9
+    good = isinstance(value, int | float) and not isinstance(value, bool) and 0 <= value < _MOST_NUMBER
     return float(value) if good and isinstance(value, int | float) else 0.0
 
 

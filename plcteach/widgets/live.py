@@ -43,6 +43,7 @@ class Session:
         self.live = live
         self.watch = Watch(live)
         self.loaded = loaded
+        self.acted = False
 
     def answer(self, asked: dict[str, Any]) -> dict[str, Any]:
         """Give the answer to one message, as plain data."""
@@ -58,6 +59,7 @@ class Session:
             case "start":
                 memory = warm(self.live.program, self.live.recorder.memory()) if asked.get("how") == "warm" else None
                 self.live.reset(memory)
+                self.acted = any(self.live.held.values())
                 self.watch.forget()
             case "wire" if self.watch.model:
                 self.wire(str(asked.get("symbol")), str(asked.get("how")))
@@ -84,6 +86,7 @@ class Session:
         """
         if self.live.tape:
             return
+        self.acted = True
         model = self.watch.model
         hands = {one.symbol: one for one in model.plant.hands} if model else {}
         symbol = address.removeprefix("@") if address.startswith("@") else self.watch.symbols.get(address, "")
@@ -114,11 +117,15 @@ class Session:
         return self.batch(asked) | {"anew": True}
 
     def own(self) -> Timeline | None:
-        """Give what has been done here since power-on; where that is nothing, what was loaded last; None where it is forgotten."""
-        line = self.live.recording()
-        if self.loaded and not (line.rows or line.hands):
+        """Give the recording that runs, or else what has been done since power-on; where that is nothing, what was loaded last.
+
+        None where its beginning is forgotten.
+        """
+        if self.live.tape:
+            return self.live.tape
+        if self.loaded and not self.acted:
             return self.loaded
-        return line if self.live.whole else None
+        return self.live.recording() if self.live.whole else None
 
     def text(self) -> str:
         """Give the recording as a file; a run that did not begin with an empty memory says so."""
@@ -128,6 +135,7 @@ class Session:
     def take_over(self) -> None:
         """Give the inputs back to the hand, and let go the buttons that spring back."""
         self.live.take_over()
+        self.acted = True
         model = self.watch.model
         for one in model.plant.hands if model else ():
             if one.momentary and model:

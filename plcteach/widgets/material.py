@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from contextlib import contextmanager
 from html import escape
 from typing import TYPE_CHECKING, Any
 
@@ -14,6 +15,8 @@ from plcteach.figure.svg import svg
 from plcteach.machine.scan import run
 
 if TYPE_CHECKING:
+    from collections.abc import Iterator
+
     from plcteach.check.judge import Sheet
     from plcteach.core.exercise import Exercise
     from plcteach.core.ladder import Ladder
@@ -21,17 +24,27 @@ if TYPE_CHECKING:
 _BOTH = ("zh", "en")
 _LOOKED_AT = {"translate", "match", "chart"}
 """The kinds whose program stands beside the answer, and neither in it nor in its rows."""
-_HELD = Text("这道题自己有错误，不能打开：{id}", "Exercise {id} has an error itself and cannot be opened")
+_HELD = Text(
+    "这道题自己有错误，没能完成：{id}。请老师用plcteach exercise test检查它。",
+    "Exercise {id} has an error itself. Can its teacher look at it with plcteach exercise test?",
+)
+
+
+@contextmanager
+def discreet(exercise: Exercise) -> Iterator[None]:
+    """Do something with an exercise; of a hidden one no trouble tells more than that there is some, and no traceback shows it."""
+    try:
+        yield
+    except Exception:
+        if not exercise.hidden:
+            raise
+        raise PlcTeachError(_HELD.format(id=exercise.id).in_(language())) from None
 
 
 def sheet_of(exercise: Exercise) -> Sheet:
-    """Give what an exercise shows; of a hidden one no trouble tells more than that there is some."""
-    if not exercise.hidden:
+    """Give what an exercise shows before it is answered."""
+    with discreet(exercise):
         return shown(exercise)
-    try:
-        return shown(exercise)
-    except PlcTeachError:
-        raise PlcTeachError(_HELD.format(id=exercise.id).in_(language())) from None
 
 
 def task_of(exercise: Exercise, sheet: Sheet) -> dict[str, Any]:
@@ -99,7 +112,9 @@ def _waves(exercise: Exercise) -> list[dict[str, Any]]:
     values: dict[str, str] = dict.fromkeys(names, "0")
     course: dict[str, list[str]] = {name: [] for name in names}
     for row in exercise.scans:
-        values |= {name: str(int(value) if isinstance(value, bool) else value) for name, value in row.items() if name != "ms"}
+        values |= {
+            name: str(int(value) if isinstance(value, bool) else value) for name, value in row.items() if name != "ms"
+        }
         for name in names:
             course[name].append(values[name])
     return [{"address": name, "values": row} for name, row in course.items()]

@@ -171,3 +171,72 @@ def test_no_exercise_gives_marks_for_an_empty_page_or_for_its_own_start(name: st
 
     assert grade(name, "") == 0.0
     assert grade(name, exercise(name).start) < exercise(name).points
+
+
+# Cases, for graders that count what passes.
+
+TWO_OUTPUTS = """
+dialect = "s7-200"
+points = 4
+title = { zh = "两个输出", en = "two outputs" }
+task = { zh = "写出来。", en = "Write it." }
+reference = "LD I0.0\\n= Q0.0\\nLD I0.1\\n= Q0.1\\n"
+"""
+
+
+def passed(score: Score) -> list[tuple[str, float, bool]]:
+    found = []
+    for name, points, check in score.cases():
+        try:
+            check()
+            found.append((name, points, True))
+        except AssertionError:
+            found.append((name, points, False))
+    return found
+
+
+def test_each_output_is_a_case_and_all_of_them_are_another() -> None:
+    from plcteach.exercises import parse
+
+    one = parse(TWO_OUTPUTS, "two")
+    half = grade(one, "LD I0.0\n= Q0.0\nLDN I0.1\n= Q0.1\n")
+    assert passed(half) == [("output Q0.0", 1.0, True), ("output Q0.1", 1.0, False), ("all outputs", 2.0, False)]
+    assert sum(points for _, points, right in passed(half) if right) == half == 1.0
+    with pytest.raises(AssertionError, match=r"Q0\.1 should be"):
+        list(half.cases())[1][2]()
+    nothing = grade(one, "")
+    assert [right for *_, right in passed(nothing)] == [False] * 3
+    assert [case[:2] for case in passed(nothing)] == [case[:2] for case in passed(half)]
+
+
+@pytest.mark.parametrize("name", ids())
+def test_the_cases_of_every_exercise_add_up_and_do_not_depend_on_the_answer(name: str) -> None:
+    from plcteach.check.judge import model
+    from plcteach.exercises import exercise
+
+    one = exercise(name)
+    answers = [model(one), one.wrong[0].program, ""]
+    cases = [passed(grade(one, answer)) for answer in answers]
+    assert cases[0]
+    assert all(right for *_, right in cases[0])
+    assert sum(points for _, points, _ in cases[0]) == pytest.approx(one.points, abs=0.01)
+    for other in cases[1:]:
+        assert [case[:2] for case in other] == [case[:2] for case in cases[0]]
+    reached = sum(points for _, points, right in cases[1] if right)
+    assert reached <= grade(one, one.wrong[0].program) + 0.01
+    assert not any(right for *_, right in cases[2])
+
+
+def test_a_score_without_a_judgement_has_no_cases() -> None:
+    assert list(Score(1, 4).cases()) == []
+
+
+def test_a_right_program_that_lacks_what_the_task_asks_for_is_not_correct_yet() -> None:
+    from plcteach.exercises import parse
+
+    one = parse(TWO_OUTPUTS + "[[need]]\nuses = 'NOT'\n", "two")
+    score = grade(one, "LD I0.0\n= Q0.0\nLD I0.1\n= Q0.1\n")
+    assert score == 3.0
+    with pytest.raises(AssertionError, match="asks for NOT"):
+        score.assert_correct()
+    assert sum(points for _, points, right in passed(score) if right) == 3.0

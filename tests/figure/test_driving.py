@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import sys
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 
 import plcteach as plc
 from plcteach import plants
+from plcteach.core import text as words
 from plcteach.core.errors import PlcTeachError, UnknownNameError
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "plants"))
@@ -18,6 +20,13 @@ ALL = [plants.plant(name) for name in plants.names()]
 SAMPLES = [(plant, sample) for plant in ALL for sample in plant.samples]
 
 pytestmark = pytest.mark.no_cover  # many scans: measured lines would take most of the time
+
+
+@pytest.fixture(autouse=True)
+def _language_as_before() -> Iterator[None]:
+    kept = list(words._chosen)
+    yield
+    words._chosen[:] = kept
 
 
 def named(value: object) -> str:
@@ -37,12 +46,12 @@ def test_a_plant_that_runs_by_itself_does_what_it_does_in_the_loop(plant, sample
         assert mine == loop.times(device.address)
 
 
-def test_what_went_wrong_is_said_in_both_languages(lang) -> None:
-    lang("en")
+def test_what_went_wrong_is_said_in_both_languages() -> None:
+    plc.language("en")
     told = plc.drive("star-delta", "wrong")
     assert "short circuit" in repr(told)
     assert "<li>" in told._repr_html_()
-    lang("zh")
+    plc.language("zh")
     assert "短路" in repr(told)
     assert "没有出错" in repr(plc.drive("star-delta", seconds=8))
 
@@ -61,8 +70,8 @@ def test_other_hands_and_other_lengths() -> None:
         plc.drive("drilling-heat")
 
 
-def test_a_recording_is_a_test_of_another_program(lang) -> None:
-    lang("en")
+def test_a_recording_is_a_test_of_another_program() -> None:
+    plc.language("en")
     seal_in = "LD I0.0; O Q0.0; AN I0.1; = Q0.0"
     wanted = "I0.0: 1s off, 0.2s on, 3s off\nI0.1: 3s off, 0.2s on, 1s off\n= Q0.0: 1s off, 2s on, 1.2s off"
     right = plc.replay(seal_in, wanted)

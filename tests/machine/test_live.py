@@ -141,7 +141,7 @@ def test_a_replay_is_the_same_scan_for_scan_and_then_stands_still_until_somebody
     for address in ("I0.0", "I0.1", "Q0.0", "Q0.1", "T37.V"):
         assert now[address] == was[address]
     assert live.differs == []
-    assert live.recording() is line
+    assert live.recording() == line
     live.take_over()
     assert live.held == {"I0.0": 1}, "what was on stays on"
     live.run(5)

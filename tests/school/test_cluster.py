@@ -8,7 +8,7 @@ import pytest
 
 distributed = pytest.importorskip("distributed", reason="distributed is not installed here (extra `cluster`)")
 
-from plcteach.cli import main
+from plcteach.cli import main  # noqa: E402 (only where there is a cluster)
 
 TEXTS = {
     "alice": "LD I0.0\nA I0.1\nLD I0.2\nAN I0.3\nOLD\n= Q0.0\n",

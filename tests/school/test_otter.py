@@ -10,7 +10,9 @@ from pathlib import Path
 import nbformat
 import pytest
 
-pytest.importorskip("otter", reason="otter-grader is not installed here: it has an environment of its own (extra `school`)")
+pytest.importorskip(
+    "otter", reason="otter-grader is not installed here: it has an environment of its own (extra `school`)"
+)
 sys.path.insert(0, str(Path(__file__).parent))
 
 from schoolroom import BRANCHES, COURSE, RIGHT, WRONG, call, filled

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from plcteach.check.drilling.slips import joins
+from plcteach.core.effect import Edge
 from plcteach.core.text import Text, counted
 
 if TYPE_CHECKING:
@@ -86,10 +87,37 @@ _SAVED = Text(
 def hints(program: Program, kind: str = "") -> tuple[Text, ...]:
     """Give hints for writing a list, from vague to nearly the answer; each is true of the program."""
     lines = program.lines
-    first = _FIRST.get(kind) or _FIRST["blocks" if joins(program) else "contacts"]
+    first = _FIRST[kind or subject(program)]
     ends = _ENDS.format(first=lines[0].text, last=lines[-1].text)
     more = [one for one in (_of_joins(program), _of_branches(program)) if one]
     return (first, *more, _COUNTED.format(lines=len(lines)), ends)
+
+
+def subject(program: Program) -> str:
+    """Say which kind of drill a program would be: the hardest thing that it has in it."""
+    roles = program.dialect.roles
+    blocks = {block.rule for line in program.lines for place in line.places if (block := program.dialect.block(place))}
+    signs = {
+        "counters": "counter" in blocks,
+        "timers": "timer" in blocks,
+        "edges": has_edges(program),
+        "set-reset": any(line.insn.does & {"set", "reset"} for line in program.lines),
+        "branches": bool(times(program, roles.get("push", ""))),
+        "blocks": bool(joins(program)),
+    }
+    return next((kind for kind, there in signs.items() if there), "contacts")
+
+
+def has_edges(program: Program) -> bool:
+    """Say whether a program takes an edge anywhere."""
+    roles = program.dialect.roles
+    words = {roles.get("rise"), roles.get("fall")}
+    return any(
+        line.insn.mnemonic in words
+        or any(sign in line.effect.text for sign in ("rise(", "fall("))
+        or any(verb.formula is not None and isinstance(verb.formula, Edge) for verb in line.insn.then)
+        for line in program.lines
+    )
 
 
 def _of_joins(program: Program) -> Text | None:

@@ -19,7 +19,8 @@ if TYPE_CHECKING:
     from plcteach.machine.scan import Trace
 
 EMPTY = "."
-_SIGNS = {"0": "0", "_": "0", "1": "1", "#": "1", "x": "x", "?": "x", ".": EMPTY, "-": EMPTY}
+UNREAD = "?"
+_SIGNS = {"0": "0", "_": "0", "1": "1", "#": "1", "x": "x", ".": EMPTY, "-": EMPTY}
 _GROUPED = 5
 _INPUTS = Text("输入，一个扫描一个值：", "Inputs, one value for each scan:")
 _EACH = Text("每个扫描{ms} ms。", "Each scan takes {ms} ms.")
@@ -61,7 +62,9 @@ def judged(exercise: Exercise, answer: str | bytes) -> Judgement:
         if one != other
     )
     share = 1 - len(wrong) / (len(outputs) * len(exercise.scans))
-    return graded(exercise, text, share, found=found, says=_says(trace, outputs, wrong), wrong=wrong)
+    return graded(
+        exercise, text, share, found=found, says=_says(trace, outputs, wrong), wrong=wrong, grid=given.values()
+    )
 
 
 def model(exercise: Exercise) -> str:
@@ -109,7 +112,7 @@ def _signs(rest: str, address: str, count: int, number: int) -> tuple[str, list[
     found = [rule("KND005").at(Span(number), word=quoted(one)) for one in unread[:1]]
     if len(words) != count:
         found.append(rule("KND009").at(Span(number), address=address, got=len(words), wanted=count))
-    return "".join(_SIGNS.get(one, "!") for one in words[:count]).ljust(count, EMPTY), found
+    return "".join(_SIGNS.get(one, UNREAD) for one in words[:count]).ljust(count, EMPTY), found
 
 
 def _plain(word: str) -> str:

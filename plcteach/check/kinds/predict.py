@@ -24,7 +24,8 @@ if TYPE_CHECKING:
     from plcteach.machine.step import Step
 
 EMPTY = "."
-_SIGNS = {"0": "0", "1": "1", "x": "x", "?": "x", ".": EMPTY, "-": EMPTY, "_": EMPTY}
+UNREAD = "?"
+_SIGNS = {"0": "0", "1": "1", "x": "x", ".": EMPTY, "-": EMPTY, "_": EMPTY}
 _FIRST_WRONG = Text(
     "第{row}行 {line}：从这里开始有不对的值。{what}",
     "Row {row}, {line}: here is the first value that is not so. {what}",
@@ -62,7 +63,7 @@ def judged(exercise: Exercise, answer: str | bytes) -> Judgement:
     if all(one == EMPTY for line in given for one in line):
         misread = (*misread, rule("KND011").at(Span(1)))
     share = sum(counted) / len(counted) if counted else 1.0
-    return graded(exercise, text, share, found=misread, says=_says(program, wrong), wrong=wrong)
+    return graded(exercise, text, share, found=misread, says=_says(program, wrong), wrong=wrong, grid=given)
 
 
 def model(exercise: Exercise) -> str:
@@ -152,7 +153,7 @@ def _read(text: str, height: int, width: int) -> tuple[list[list[str]], tuple[Di
             words = list(words[0])
         unread = [one for one in words[:width] if one not in _SIGNS]
         found += [rule("KND005").at(Span(number), word=quoted(one)) for one in unread[:1]]
-        grid.append([_SIGNS.get(one, "!") for one in words[:width]] + [EMPTY] * (width - len(words)))
+        grid.append([_SIGNS.get(one, UNREAD) for one in words[:width]] + [EMPTY] * (width - len(words)))
     if count != height:
         found.append(rule("KND004").at(Span(1), got=count, wanted=height))
     grid += [[EMPTY] * width for _ in range(height - len(grid))]

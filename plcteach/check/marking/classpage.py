@@ -37,6 +37,7 @@ _SAME_WHY = Text(
     "The same instructions, comments, blanks and case apart. In a short exercise identical right answers are to be expected; "
     "identical wrong ones are worth a question. Side by side stand those that differ to the letter.",
 )
+_OF_GROUP = Text("第{number}组：{count}人 · {result}", "Group {number}: {count} learners · {result}")
 _LETTER = Text("一字不差", "the same to the letter")
 _ALL, _NAME, _NUMBER = Text("所有人", "Everyone"), Text("姓名", "name"), Text("编号", "number")
 _RESULT, _WORDS, _GROUP = Text("结果", "result"), Text("说明", "in words"), Text("组", "group")
@@ -131,10 +132,10 @@ def _same(rows: Sequence[Row], _exercise: Exercise, lang: str) -> str:
     parts = [f'<p class="quiet">{escape(_SAME_WHY.in_(lang))}</p>']
     for group in found[:_MOST_GROUPS]:
         first = group[0][0]
-        told = f"{first.group}: {sum(map(len, group))} · {STATUSES[first.mark.status].in_(lang)}, {first.mark.marks:g}"
+        told = _OF_GROUP.format(number=first.group, count=sum(map(len, group)), result=STATUSES[first.mark.status])
         columns = "".join(f"<div>{_letters(each, lang)}{text_of(each[0], lang)}</div>" for each in group[:_FEW])
         left = [row for each in group[_FEW:] for row in each]
-        parts.append(f'<h3 id="group-{first.group}">{escape(told)}</h3><div class="beside">{columns}</div>')
+        parts.append(f'<h3 id="group-{first.group}">{escape(told.in_(lang))}</h3><div class="beside">{columns}</div>')
         parts += [f"<p>… {_who(left)}</p>"] if left else []
     left_out = len(found) - _MOST_GROUPS
     parts += [f"<p>… +{left_out}</p>"] if left_out > 0 else []

@@ -90,25 +90,32 @@ def _shown(name: str) -> str:
 
 def _read(path: Path, encoding: str | None) -> str | Diagnostic:
     """Give the text of a file, or the finding that says why there is none; links are not followed out of the folder."""
+    kind = path.suffix[1:].lower()
     try:
-        about = path.lstat()
-        if stat.S_ISDIR(about.st_mode):
-            return _said("HND002")
-        if not stat.S_ISREG(about.st_mode):
-            return _said("FIL001", reason=_NO_FILE)
-        kind = path.suffix[1:].lower()
-        if _ARCHIVES.fullmatch(kind):
-            return _said("HND001", kind=path.suffix.lower())
-        if about.st_size > MOST_BYTES:
-            return _said("RDR013", size=f"{about.st_size:,} B", most=f"{MOST_BYTES:,} B")
-        data = path.read_bytes()
+        refused = _refused(path.lstat(), kind)
+        data = b"" if refused else path.read_bytes()
     except OSError as trouble:
         return _said("FIL001", reason=same(trouble.strerror or type(trouble).__name__))
+    if refused:
+        return refused
     typed_in = "onlinetext" in path.as_posix() and kind in {"html", "htm"}
     if _no_text(data) or (_NO_TEXTS.fullmatch(kind) and not typed_in):
         return _said("FIL002")
     text = decode(data, encoding)
     return web_text(text) if typed_in else text
+
+
+def _refused(about: os.stat_result, kind: str) -> Diagnostic | None:
+    """Say why something is not even opened: no file, an archive, too long."""
+    if stat.S_ISDIR(about.st_mode):
+        return _said("HND002")
+    if not stat.S_ISREG(about.st_mode):
+        return _said("FIL001", reason=_NO_FILE)
+    if _ARCHIVES.fullmatch(kind):
+        return _said("HND001", kind=f".{kind}")
+    if about.st_size > MOST_BYTES:
+        return _said("RDR013", size=f"{about.st_size:,} B", most=f"{MOST_BYTES:,} B")
+    return None
 
 
 _NO_FILE = Text("它是链接或设备，不是文件", "it is a link or a device and no file")

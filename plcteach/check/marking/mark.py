@@ -10,12 +10,12 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from plcteach import __version__
+from plcteach.check.hints import believed
 from plcteach.check.judge import judge
-from plcteach.check.report import headline
-from plcteach.check.score import report_html
+from plcteach.check.report import headline, report_html
 from plcteach.core.diagnostic import Diagnostic, rule
 from plcteach.core.source import Span
-from plcteach.core.text import Text
+from plcteach.core.text import NOTHING, Text
 
 if TYPE_CHECKING:
     from plcteach.check.judgement import Judgement
@@ -26,7 +26,7 @@ _PACKAGE = Path(__file__).parents[2]
 
 @dataclass(frozen=True, slots=True)
 class Mark:
-    """The marks for one text. codes: what was found, each once.  beliefs: the numbers of the usual wrong ideas behind it.
+    """The marks for one text. codes: what was found, each once.  beliefs: the numbers of the usual wrong ideas behind it, the surest first.
 
     parts: what the marks are made of: name, reached, out of how much.  rows: the rows of the text with a finding.  same: a
     digest that programs of the same instructions share.  report: HTML, for both languages.
@@ -40,7 +40,7 @@ class Mark:
     parts: tuple[tuple[Text, float, float], ...] = ()
     rows: tuple[int, ...] = ()
     same: str = ""
-    report: Text = Text("", "")
+    report: Text = NOTHING
 
     def as_json(self) -> dict[str, Any]:
         """Give the mark as JSON has it."""
@@ -73,7 +73,7 @@ def _marked(exercise: Exercise, judgement: Judgement) -> Mark:
         float(judgement.marks),
         headline(judgement),
         tuple(dict.fromkeys(one.code for one in found)),
-        tuple(sorted({number for one in found for number in rule(one.code).misconceptions})),
+        believed(judgement),
         tuple((one.name, one.got, one.of) for one in judgement.parts),
         tuple(sorted({one.span.row for one in found if one.span.row > 0 and one.severity != "info"})),
         digest(exercise.id, re.sub(r"\s+", " ", said).strip()),

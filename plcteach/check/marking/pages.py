@@ -6,7 +6,7 @@ from html import escape
 from typing import TYPE_CHECKING
 
 from plcteach.check.marking.mark import plain
-from plcteach.check.marking.paper import page, table
+from plcteach.check.marking.paper import page
 from plcteach.check.marking.tables import STATUSES
 from plcteach.core.source import printable, rows_of
 from plcteach.core.text import Text
@@ -17,8 +17,6 @@ if TYPE_CHECKING:
 
 _MOST_ROWS = 1_000
 _WIDEST_ROW = 500
-_MADE_OF = Text("得分的组成", "What the marks are made of")
-_PART, _GOT, _OF = Text("部分", "part"), Text("得到", "got"), Text("满分", "out of")
 _TEXT = Text("交上来的程序", "The program as it was handed in")
 _OTHERS = Text("还交了：{files}。以得分最高的一份为准。", "Also handed in: {files}. The best one counts.")
 _MORE = Text("……还有{n}行", "… and {n} more rows")
@@ -36,23 +34,12 @@ def learner_page(row: Row, exercise: Exercise, lang: str) -> str:
         f'<p class="quiet">{escape(exercise.task.in_(lang))}</p>',
         f'<p class="marks"><span class="{tone}">{escape(told)}</span> · {escape(STATUSES[mark.status].in_(lang))}</p>',
         f'<div class="report">{mark.report.in_(lang) or f"<p>{escape(mark.headline.in_(lang))}</p>"}</div>',
-        *_parts(row, lang),
     ]
     if row.text.strip():
         body += [f"<h2>{escape(_TEXT.in_(lang))}</h2>", f'<p class="quiet">{escape(row.file)}</p>', text_of(row, lang)]
     if row.others:
         body.append(f'<p class="quiet">{escape(_OTHERS.format(files=", ".join(row.others)).in_(lang))}</p>')
     return page(title, body, lang)
-
-
-def _parts(row: Row, lang: str) -> list[str]:
-    """Show what the marks are made of, where that is more than one thing."""
-    if len(row.mark.parts) < 2:  # noqa: PLR2004 (one part is the marks themselves)
-        return []
-    name = _MADE_OF.in_(lang)
-    heads = [(_PART.in_(lang), ""), (_GOT.in_(lang), "number"), (_OF.in_(lang), "number")]
-    rows = [(escape(part.in_(lang)), f"{got:g}", f"{of:g}") for part, got, of in row.mark.parts]
-    return [f"<h2>{escape(name)}</h2>", table(name, heads, rows)]
 
 
 _ROW = '<tr><td class="number">{}</td><td>{}</td></tr>'

@@ -64,7 +64,7 @@ def _page(learner: str, number: str, taken: set[str]) -> str:
 
 
 def _grouped(rows: list[Row]) -> list[Row]:
-    """Number the groups of the same instructions in order of their first learner; what was not read is in no group."""
+    """Give each row the number of its group, counted by their first learners; what was not read is in no group."""
     counts = Counter(row.mark.same for row in rows if row.text.strip())
     numbers: dict[str, int] = {}
     for row in rows:

@@ -81,24 +81,19 @@ def _note(use: _Use, line: Line, place: Address) -> None:
 
 def _bound(store: Store[Any], key: str, uses: dict[str, _Use]) -> Bound:
     place = owner(store.dialect, key)
-    if place is None:
-        return Bound(2 * _WORD, signed=True)
+    block = store.dialect.block(place) if place else None
+    if place is None or block is None:
+        return Bound(max(store.dialect.area(place).size, _WORD) if place else 2 * _WORD, signed=True)
     whole = store.dialect.whole(place)
-    block = store.dialect.block(whole)
-    if block is None:
-        return Bound(max(store.dialect.area(place).size, _WORD), signed=True)
     use = uses.get(whole.text, _Use([], [], otherwise=True))
     match block.rule, key.removeprefix(whole.text):
         case "timer", ".ms" | ".goal" as name:
             return _timed(store, whole, use, clamped=name == ".ms")
         case "counter", ".V":
             return _counted(store, whole, use)
-        case "drum", ".S":
-            return _upto(max(len(store.setting(whole, "STEPS")) - 1, 1))
-        case "steps", ".S":
-            return _upto(_LAST_STEP)
-        case "queue", "#":
-            return _upto(WORDS)
+        case "drum" | "steps" | "queue" as rule, ".S" | "#":
+            steps = len(store.setting(whole, "STEPS")) if rule == "drum" else 0
+            return _upto({"drum": max(steps - 1, 1), "steps": _LAST_STEP, "queue": WORDS}[rule])
     return Bound(_WORD, signed=True)
 
 

@@ -8,8 +8,10 @@ from __future__ import annotations
 from random import Random
 from typing import TYPE_CHECKING
 
+from plcteach.machine.world import beat
+
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Hashable, Mapping, Sequence
 
     from plcteach.check.proof.product import Product, Question
     from plcteach.check.proof.walk import Budget, Scan
@@ -17,6 +19,8 @@ if TYPE_CHECKING:
 
 LANES, SCANS = 256, 400
 MOST_ROUNDS = 60
+CLOCK_MS = 100
+"""So much time passes in a scan where there is no timer, and only clocks tell of it."""
 _SEED = 20030907
 
 Rows = list[list[int]]
@@ -31,6 +35,7 @@ class Chance:
         graph = product.graph
         self.names = product.inputs
         self.scans = 0
+        self.tick_ms = product.unit if ("tick",) in self.names else CLOCK_MS
         self.drift = [name in product.drift for name in self.names]
         self.first = self._compiled(graph, product.start, product.first, ())
         self.later = self._compiled(graph, product.next, product.later, product.state)
@@ -41,26 +46,27 @@ class Chance:
         gates = [ends[name] for name in self.product.state]
         return graph.compiled([*gates, graph.any(question.bad.values()), question.fair], (*state, *self.names))
 
-    def found(self) -> list[Scan] | None:
-        """Give scans that end with a difference; None where none was found. `scans` then says how far it looked."""
+    def found(self, *, lasting: int = 1) -> list[Scan] | None:
+        """Give scans that end with a difference, lasting so many of them; None where none was found."""
         rows = self.timelines()
-        ended = self.run([list(scan) for scan in rows], LANES)
+        ended = self.run([list(scan) for scan in rows], LANES, lasting)
         if ended is None:
             return None
         last, lane = ended
         mine = [[value >> lane & 1 for value in scan] for scan in rows[: last + 1]]
-        return [dict(zip(self.names, scan, strict=True)) for scan in self.lessened(mine)]
+        return [dict(zip(self.names, scan, strict=True)) for scan in self.lessened(mine, lasting)]
 
     def timelines(self) -> Rows:
         """Give inputs that are turned over now and then: in a quarter of the timelines often, in the others more seldom."""
         chance = Random(_SEED)  # noqa: S311 (the same timelines everywhere, on purpose)
         groups = [((1 << LANES // 4) - 1) << LANES // 4 * number for number in range(4)]
         rows: Rows = []
-        now = [0] * len(self.names)
-        for _ in range(SCANS):
-            for place, drifts in enumerate(self.drift):
-                if drifts:
-                    now[place] = chance.getrandbits(LANES) | chance.getrandbits(LANES)
+        now, ms = [0] * len(self.names), 0
+        for scan in range(SCANS):
+            ms += self.tick_ms if scan else 0
+            for place, name in enumerate(self.names):
+                if self.drift[place]:
+                    now[place] = self.moved(name, scan, ms)
                     continue
                 turned = 0
                 for number, group in enumerate(groups):
@@ -72,9 +78,20 @@ class Chance:
             rows.append(list(now))
         return rows
 
-    def run(self, rows: Rows, lanes: int) -> tuple[int, int] | None:
-        """Run timelines side by side until one shows a difference; give the scan and the timeline."""
+    def moved(self, name: Hashable, scan: int, ms: int) -> int:
+        """Give what nobody presses, in all timelines alike: time passes in every scan, and the clocks go by it."""
+        every = (1 << LANES) - 1
+        match name:
+            case ("clock", str(address)):
+                return every * beat(self.product.circuits[0].program.dialect.specials[address], scan, ms)
+            case ("tick",):
+                return every
+        return 0
+
+    def run(self, rows: Rows, lanes: int, lasting: int = 1) -> tuple[int, int] | None:
+        """Run timelines side by side until one shows a difference for so long; give the scan and the timeline."""
         every = alive = (1 << lanes) - 1
+        recent: list[int] = []
         state: Sequence[int] = ()
         for number, scan in enumerate(rows):
             call = self.later if number else self.first
@@ -82,14 +99,17 @@ class Chance:
             self.budget.spend(call.cost * (1 + (lanes >> 9)))
             self.scans = max(self.scans, number + 1)
             alive &= fair
-            bad &= alive
-            if bad:
-                return number, (bad & -bad).bit_length() - 1
+            recent = [*recent[1 - lasting :], bad] if lasting > 1 else [bad]
+            shown = alive
+            for one in recent:
+                shown &= one
+            if shown and len(recent) == lasting:
+                return number, (shown & -shown).bit_length() - 1
             if not alive or self.budget.spent:
                 return None
         return None
 
-    def lessened(self, rows: Rows) -> Rows:
+    def lessened(self, rows: Rows, lasting: int) -> Rows:
         """Take back presses one by one, as long as a difference remains, and cut off what comes after it."""
         for _ in range(MOST_ROUNDS):
             attempts = self.attempts(rows)
@@ -102,7 +122,7 @@ class Chance:
                 ]
                 for scan in range(len(rows))
             ]
-            ended = self.run(lanes, len(attempts))
+            ended = self.run(lanes, len(attempts), lasting)
             if ended is None:
                 return rows
             last, lane = ended

@@ -38,7 +38,7 @@ class Replay:
 
 
 def rows_of(product: Product, scans: Sequence[Scan]) -> list[Row] | None:
-    """Give scans as the machine takes them; None where no time makes the clocks what they should be."""
+    """Give scans as the machine takes them, each with its ms; None where no time makes the clocks what they should be."""
     dialect = product.circuits[0].program.dialect
     clocks = [name[1] for name in product.inputs if isinstance(name, tuple) and name[0] == "clock"]
     ticking = TICK in product.inputs

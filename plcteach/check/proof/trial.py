@@ -12,7 +12,7 @@ Budgets count work and never seconds, so that a verdict is the same on every mac
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
 from plcteach.check.proof.chance import Chance
@@ -33,39 +33,57 @@ if TYPE_CHECKING:
     from plcteach.core.verdict import Proof, Status
 
 MOST_INPUTS = 12
+LASTING = 5
+"""A difference that is over sooner may be no more than rungs in another order."""
 SHORT, LONG, CHANCES = 1_000_000, 8_000_000, 4_000_000
 """Work for a short search, for a long one, and for trying by chance; a million is something like a tenth of a second."""
 
 
 @dataclass
 class Trial:
-    """Two programs on trial: the reference first."""
+    """Two programs on trial: the reference first.
+
+    restless: the program that never comes to rest.  purse: what all searches together may cost.  proved: outputs that induction
+    has proved.  ghost: a difference was found that no time and no clock can bring about, so that no search need be made again.
+    """
 
     programs: tuple[Program, Program]
     terms: Terms
     product: Product
     explored: int = 0
     restless: int = -1
+    purse: Budget = field(default_factory=lambda: Budget(LONG))
+    proved: frozenset[str] | None = None
+    ghost: bool = False
 
     def decided(self, *, settled: bool, alone: bool = False) -> Verdict:
-        """Give the verdict at one level; `alone`: this is already about a single output, and need not be shown."""
-        if not self.product.state:
-            found = self.by_table()
-            if found:
-                return found
+        """Give the verdict at one level; `alone`: only its status is asked for, nothing need be shown."""
+        verdict = self.attempted(settled=settled, alone=alone)
+        calm = self.product.calm()
+        if verdict.status == "equal" or calm is self.product:
+            return verdict
+        again = Trial(self.programs, self.terms, calm, purse=self.purse).attempted(settled=settled, alone=alone)
+        return again if again.status in {"different", "unsettled"} else self.unknown()
+
+    def attempted(self, *, settled: bool, alone: bool) -> Verdict:
+        """Try one way of proving after another."""
+        verdict = self.by_table() if not self.product.state else None
         searched = len(self.product.inputs) <= MOST_INPUTS
-        verdict = self.searched(SHORT, settled=settled, alone=alone) if searched else None
-        if verdict is None:
-            proved = always_equal(self.product)
-            if len(proved) == len(self.product.outputs):
-                return self.equal("induction")
-            if searched and not alone:
-                verdict = self.searched(LONG, settled=settled, alone=alone)
-            if verdict is None and not alone and len(self.product.outputs) > 1:
-                verdict = self.one_by_one(settled=settled)
-        if verdict is None and not settled:
-            verdict = self.by_chance()
-        return verdict or self.unknown()
+        if verdict is None and searched and not self.ghost:
+            verdict = self.searched(SHORT, settled=settled, alone=alone)
+        if verdict is None and not self.ghost:
+            verdict = self.proven()
+        if verdict is None and searched and not self.ghost:
+            verdict = self.searched(self.purse.units, settled=settled, alone=alone)
+        if verdict is None and len(self.product.outputs) > 1 and not self.ghost:
+            verdict = self.one_by_one(settled=settled)
+        return verdict or self.by_chance(lasting=LASTING if settled else 1) or self.unknown()
+
+    def proven(self) -> Verdict | None:
+        """Give the verdict of induction, which is asked once; None where it leaves an output open."""
+        if self.proved is None:
+            self.proved = always_equal(self.product)
+        return self.equal("induction") if len(self.proved) == len(self.product.outputs) else None
 
     def by_table(self) -> Verdict | None:
         """Decide a comparison in which nothing is remembered; None where it is too large for that."""
@@ -79,7 +97,9 @@ class Trial:
             self.explored += 1
             if model is not None:
                 scan = {name: model.get(name, 0) for name in self.product.inputs}
-                return self.shown([scan] * scans) or self.unknown()
+                shown = self.shown([scan] * scans)
+                self.ghost = shown is None
+                return shown
         return self.equal("table")
 
     def searched(self, units: int, *, settled: bool, alone: bool) -> Verdict | None:
@@ -87,6 +107,7 @@ class Trial:
         budget = Budget(units)
         walker = Walker(self.product, budget, settled=settled)
         found = breadth_first(walker, budget)
+        self.purse.spend(units - max(budget.units, 0))
         self.explored = max(self.explored, found.states)
         if found.status == "equal":
             return self.equal("exhaustive")
@@ -97,7 +118,9 @@ class Trial:
             return Verdict("unsettled", None, None, self.said("unsettled"), explored=self.explored)
         if alone:
             return Verdict("different", None, None, self.said("different"), explored=self.explored)
-        return self.different(walker, found) or self.unknown()
+        shown = self.different(walker, found)
+        self.ghost = shown is None
+        return shown
 
     def different(self, walker: Walker, found: Found) -> Verdict | None:
         """Show a difference, with as few presses as can be found; None where the plain machine does not show it."""
@@ -129,7 +152,9 @@ class Trial:
         """Judge one output by itself."""
         if self.product.later.bad[text].number == 0 and self.product.first.bad[text].number == 0:
             return self.equal("table")
-        alone = Trial(self.programs, self.terms, self.product.of([text]))
+        if text in (self.proved or ()):
+            return self.equal("induction")
+        alone = Trial(self.programs, self.terms, self.product.of([text]), purse=self.purse)
         verdict = alone.decided(settled=settled, alone=True)
         self.explored = max(self.explored, alone.explored)
         return verdict
@@ -143,25 +168,26 @@ class Trial:
             return self.equal("induction" if "induction" in proofs else "exhaustive")
         for text, one in verdicts.items():
             if one.status == "different":
-                alone = Trial(self.programs, self.terms, self.product.of([text]))
+                alone = Trial(self.programs, self.terms, self.product.of([text]), purse=self.purse)
                 shown = one if one.counterexample else alone.decided(settled=settled)
                 if shown.counterexample:
                     return replace(shown, outputs=said | {text: "different"}, explored=self.explored)
-        if "equal" in said.values():
-            return Verdict("unknown", None, None, said, explored=self.explored)
+        self.proved = frozenset(text for text, one in said.items() if one == "equal")
         return None
 
-    def by_chance(self) -> Verdict | None:
-        """Try many timelines; None where nothing differs."""
+    def by_chance(self, *, lasting: int) -> Verdict | None:
+        """Try many timelines; None where nothing differs, or not for long enough."""
         trying = Chance(self.product, Budget(CHANCES))
-        scans = trying.found()
+        scans = trying.found(lasting=lasting)
         self.explored = max(self.explored, trying.scans)
         rows = rows_of(self.product, scans) if scans else None
         seen = replay(self.programs, rows, self.product.outputs, self.terms) if rows else None
         if seen is None:
             return None
+        equal = self.proved or frozenset()
         said: dict[str, Status] = {
-            text: "different" if text in seen.wrong else "unknown" for text in self.product.outputs
+            text: "different" if text in seen.wrong else "equal" if text in equal else "unknown"
+            for text in self.product.outputs
         }
         return Verdict("different", None, seen.example, said, explored=self.explored)
 
@@ -171,7 +197,9 @@ class Trial:
 
     def unknown(self) -> Verdict:
         """Give the verdict of one who does not know."""
-        return Verdict("unknown", None, None, self.said("unknown"), explored=self.explored)
+        equal = self.proved or frozenset()
+        said: dict[str, Status] = {text: "equal" if text in equal else "unknown" for text in self.product.outputs}
+        return Verdict("unknown", None, None, said, explored=self.explored)
 
     def said(self, status: Status) -> dict[str, Status]:
         """Say the same of all outputs."""

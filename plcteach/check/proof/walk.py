@@ -145,15 +145,27 @@ class Walker:
             return
         state: int | None = None
         old = 0
-        for case in cases:
+        for number, case in enumerate(cases):
             quiet, held = self._without_time(case), self._without_time(old)
             if state is not None and case != quiet:
                 state = yield from self._held(state, held | case ^ quiet, held)
-                if case is cases[-1] and self.bad:
+                if number + 1 == len(cases) and self._shows(state, held):
+                    if not self.bad:
+                        yield self._named(held)
                     return
             if state is None or quiet != held or case == quiet:
                 state = yield from self._held(state, quiet, quiet)
             old = case
+        if state is not None and not self.bad:
+            yield self._named(self._without_time(old))
+
+    def _shows(self, state: int, case: int) -> bool:
+        """Say whether a scan shows a difference now, or one more with the same inputs does."""
+        if self.bad:
+            return True
+        self._one(state, case)
+        found, self.bad = self.bad, False
+        return found
 
     def _held(self, state: int | None, case: int, still: int) -> Generator[Scan, None, int]:
         """Give a scan of one case, and further ones of another until nothing changes."""

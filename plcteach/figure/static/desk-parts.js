@@ -10,6 +10,7 @@ import { mountAnswer } from "./desk-form.js";
 const PART_WORDS = {
   ladder: { zh: "梯形图", en: "Ladder diagram" },
   program: { zh: "程序", en: "Program" },
+  task: { zh: "题目", en: "the task" },
   firstHint: { zh: "给个提示", en: "First hint" },
   nextHint: { zh: "再给一个提示", en: "Next hint" },
   hints: { zh: "提示", en: "Hints" },
@@ -47,7 +48,7 @@ function ladderFigure(drawing, task, lang) {
   const caption = say(PART_WORDS.ladder, lang);
   if (svg && !svg.hasAttribute("aria-label")) svg.setAttribute("aria-label", `${caption}: ${say(task.title, lang)}`);
   svg?.setAttribute("role", "img");
-  const scroll = h("div", { className: "plc-scroll", tabindex: "0", role: "region", "aria-label": caption }, svg);
+  const scroll = h("div", { className: "plc-scroll", tabindex: "0", role: "region", "aria-label": `${caption}, ${say(PART_WORDS.task, lang)}` }, svg);
   return h("figure", { className: "plc-ladder", hidden: !svg }, h("figcaption", {}, caption), scroll);
 }
 

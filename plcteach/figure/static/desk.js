@@ -17,7 +17,7 @@ const DESK_WORDS = {
 };
 
 /** Makes the parts of a desk that talk with the kernel. */
-function talkingParts(parts, model) {
+function talkingParts(parts, model, options) {
   parts.status = statusLine();
   parts.session = openSession(model, {
     onReport: (report) => parts.report(report),
@@ -31,7 +31,7 @@ function talkingParts(parts, model) {
   });
   parts.choices = viewChoices(model, parts.session);
   parts.drafts = keepDrafts({
-    filename: () => parts.task().id, source: model.get("source") || "",
+    filename: () => `${options.draft || ""}${parts.task().id}`, source: model.get("source") || "",
     restore: (text) => (parts.answer.setText(text), parts.typed(text)),
   });
 }
@@ -39,7 +39,7 @@ function talkingParts(parts, model) {
 /** Makes the parts of a desk and puts them on it. */
 function deskParts(model, tool, options) {
   const parts = { lang: () => (model.get("language") === "en" ? "en" : "zh"), task: () => readTrait(model, "task", {}) };
-  talkingParts(parts, model);
+  talkingParts(parts, model, options);
   parts.material = taskPart();
   parts.hints = hintPart(() => parts.session.send({ type: "hint" }));
   parts.kept = keptPart();
@@ -170,25 +170,26 @@ function followDesk(parts, model, resize) {
 }
 
 /** Puts the place for the answer on a desk. */
-function answerOf(parts, model) {
+function answerOf(parts, model, options) {
   return mountAnswer(parts.desk, {
     task: parts.task(), text: model.get("source") || "", lang: parts.lang(), onTouch: () => parts.judge(),
     onChange: parts.typed, onCursor: (row) => parts.showing && !parts.old() && parts.film.goRow(row),
-    feedback: () => model.get("feedback"), onFeedback: (feedback) => parts.session.tell({ feedback }),
+    feedback: () => model.get("feedback"), onFeedback: options.quiet ? null : (feedback) => parts.session.tell({ feedback }),
   });
 }
 
 /**
  * Mounts an exercise desk on an anywidget model (its traits and messages: see widgets/desk.py).
  * @param {HTMLElement} root @param {object} model
- * @param {{quiet?: boolean}} options  quiet: no check, no hints, no verdict, as in a test
+ * @param {{quiet?: boolean, draft?: string}} options  quiet: no check, no hints, no verdict, as in a test; draft: stands before
+ *   the name under which this browser keeps what is typed
  */
 export function mountDesk(root, model, options = {}) {
   const tool = toolRoot(root, "plc-desk");
   const parts = deskParts(model, tool, options);
   hearKernel(parts, model);
   connectChecks(parts, model);
-  parts.answer = answerOf(parts, model);
+  parts.answer = answerOf(parts, model, options);
   parts.desk.append(parts.status.node, ...(options.quiet ? [] : [parts.actions, parts.hints.list]));
   if (!options.quiet) checkByKey(tool.node, () => parts.ask());
   const resize = () => tool.show(parts.lang(), model.get("size"), say(DESK_WORDS.desk, parts.lang()));

@@ -34,7 +34,7 @@ export function buildLadder(view, film, lang, { shown, formulas }) {
   const ladder = film?.ladder;
   view.node.hidden = !ladder || !shown;
   if (!ladder) return view.scroller.replaceChildren();
-  view.node.setAttribute("aria-label", say(LADDER_WORDS.ladder, lang));
+  view.node.setAttribute("aria-label", [say(LADDER_WORDS.ladder, lang), say(film.title, lang)].filter(Boolean).join(": "));
   view.scroller.replaceChildren(...ladder.rungs.map((rung, at) => rungBlock(view, rung, at, formulas)));
   view.notes.hidden = !ladder.notes.length;
   view.notes.replaceChildren(...ladder.notes.map((note) => h("p", {}, say(note, lang))));

@@ -16,6 +16,7 @@ const FOLDS = ["plant", "ladder", "list", "blocks", "chart"];
 const HISTORY_MS = 600000;
 const LATE_MS = 3000;
 const IN_FLIGHT = 2;
+const IN_HASTE = 4;
 
 /**
  * Puts a live bench into `root`. `send(message)` reaches the kernel, which answers through `take(message)`.
@@ -54,7 +55,7 @@ function makeBench(cast, send, lang) {
     cast, send, lang, news: freshNews(), running: false, asked: 0, answered: 0, last: 0, debt: 0, at: null, queue: [],
     pace: recall("live-pace", 1), levels: recall("live-levels", 1), folds: recall("live-folds", {}), frame: 0, player: null, patience: null,
   };
-  bench.inputs = makeInputs((address, value) => press(bench, address, value), (address) => free(bench, address));
+  bench.inputs = makeInputs((address, value) => press(bench, address, value), (address) => press(bench, address, null));
   bench.lamps = makeShows("lamps");
   bench.words = makeShows("words");
   bench.rungs = makeLadderView(() => {}, () => {});
@@ -62,7 +63,7 @@ function makeBench(cast, send, lang) {
   bench.shelf = h("div", {});
   bench.blocks = mountBlocks(bench.shelf, lang);
   bench.chart = makeLiveChart((ms) => lookAt(bench, ms));
-  bench.plant = makePlantView((symbol, down) => pressSymbol(bench, symbol, down), (symbol, how) => ask(bench, { type: "wire", symbol, how }));
+  bench.plant = makePlantView((symbol, down) => press(bench, `@${symbol}`, down ? 1 : 0), (symbol, how) => ask(bench, { type: "wire", symbol, how }));
   bench.tape = makeTape(() => takeOver(bench));
   bench.bar = h("div", { className: "plc-transport" });
   bench.note = h("p", { className: "plc-live-note", role: "status" });
@@ -172,9 +173,14 @@ function refuse(bench, says) {
 function tick(bench, now) {
   if (!bench.running) return;
   bench.frame = requestAnimationFrame((later) => tick(bench, later));
-  if (bench.asked - bench.answered >= IN_FLIGHT) return;
-  bench.debt = Math.min(MOST_MS, bench.debt + (now - bench.last) * bench.pace);
-  bench.last = now;
+  pull(bench, now, IN_FLIGHT);
+}
+
+/** Asks for the scans whose time has come, unless too many requests wait for an answer. */
+function pull(bench, now, most) {
+  if (bench.asked - bench.answered >= most) return;
+  bench.debt = Math.min(MOST_MS, bench.debt + Math.max(0, now - bench.last) * bench.pace);
+  bench.last = Math.max(now, bench.last);
   const scans = Math.floor(bench.debt / bench.cast.ms);
   if (!scans && !bench.queue.length) return;
   bench.debt -= scans * bench.cast.ms;
@@ -227,22 +233,11 @@ function takeOver(bench) {
   bench.parts.run.focus();
 }
 
-/** Sets an input for the scans to come; paused, it is told at once. */
+/** Sets an input for the scans to come: it is told at once, without waiting for the next frame. */
 function press(bench, address, value) {
   bench.queue.push([address, value]);
-  if (!bench.running) ask(bench, { type: "run", scans: 0 });
-}
-
-/** Gives an input back to the plant. */
-function free(bench, address) {
-  bench.queue.push([address, null]);
-  if (!bench.running) ask(bench, { type: "run", scans: 0 });
-}
-
-/** Presses a button that is drawn in the plant. */
-function pressSymbol(bench, symbol, down) {
-  bench.queue.push([`@${symbol}`, down ? 1 : 0]);
-  if (!bench.running) ask(bench, { type: "run", scans: 0 });
+  if (bench.running) pull(bench, performance.now(), IN_HASTE);
+  else ask(bench, { type: "run", scans: 0 });
 }
 
 /** Looks at an earlier scan. */

@@ -112,14 +112,14 @@ function partList(parts, lang) {
 
 /** Draws the further remarks, each once. */
 function remarkList(verdict, lang) {
-  const texts = [...(verdict.says || []), ...(verdict.remarks || []).map(({ text }) => text)].map((text) => say(text, lang));
+  const texts = [...(verdict.says || []), ...(verdict.remarks || [])].map((text) => say(text, lang));
   const others = [...new Set(texts)].filter((text) => text && !say(verdict.headline, lang).includes(text));
   return others.length > 0 && h("ul", { className: "plc-says" }, others.map((text) => h("li", {}, text)));
 }
 
 /** Draws the counterexample: as a timing chart if Python has drawn one, else as a row of values. */
 function exampleOf(verdict, lang) {
-  const svg = drawingOf(say(verdict.chart, lang));
+  const svg = drawingOf(say(verdict.picture, lang));
   if (!svg) return verdict.rows?.length > 0 && verdictTable(verdict.rows, lang);
   const name = say(VERDICT_WORDS.chart, lang);
   if (!svg.hasAttribute("aria-label")) svg.setAttribute("aria-label", name);

@@ -1,0 +1,262 @@
+"""Proves an exercise by its own samples: what is right is accepted, what is wrong refused for its reason, and no hint lies.
+
+Used by a teacher at the command line and by the tests of the bundled exercises alike.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Literal
+
+from plcteach.check.judge import judge, model, reference, shown
+from plcteach.check.repair import repair
+from plcteach.core.diagnostic import RULES, errors
+from plcteach.core.errors import PlcTeachError
+from plcteach.core.text import NOTHING, Text
+from plcteach.dialects import dialect
+from plcteach.ladder.picture import read_drawing
+from plcteach.ladder.telling import is_drawing
+from plcteach.stl import read
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterator, Mapping
+
+    from plcteach.check.judgement import Judgement
+    from plcteach.core.exercise import Exercise, WrongSample
+    from plcteach.core.program import Program
+
+State = Literal["proved", "failed", "note"]
+FEW_RIGHT, FEW_WRONG, FEW_HINTS = 2, 3, 2
+_LISTS = ("write", "complete", "bug", "translate", "order")
+_CHINESE = re.compile(r"[\u4e00-\u9fff]")
+
+
+@dataclass(frozen=True, slots=True)
+class Proof:
+    """One thing that was looked at: what it is, how it came out, and what there is to say."""
+
+    what: Text
+    state: State
+    says: Text = NOTHING
+
+    def __repr__(self) -> str:
+        return f"{self.what.en}: {self.state}{f' ({self.says.en})' if self.says.en else ''}"
+
+
+def proofs(exercise: Exercise, known: Mapping[str, Exercise] | None = None) -> tuple[Proof, ...]:
+    """Look at everything that makes an exercise sound; `known`: the exercises that it may build on, by their ids."""
+    found: list[Proof] = []
+    for look in (_words, _drawing, _material, _model, _start, _right, _wrong, _after, _hints, _repairs):
+        try:
+            found += look(exercise, known or {})
+        except PlcTeachError as trouble:
+            found.append(Proof(_NAMES[look.__name__], "failed", Text(str(trouble), str(trouble))))
+    return tuple(found)
+
+
+def proved(some: tuple[Proof, ...]) -> bool:
+    """Say whether nothing failed; a note is only advice."""
+    return all(one.state != "failed" for one in some)
+
+
+_Known = "Mapping[str, Exercise]"
+_NAMES: dict[str, Text] = {
+    "_words": Text("两种语言", "both languages"),
+    "_drawing": Text("参考", "the reference"),
+    "_material": Text("题目材料", "the material"),
+    "_model": Text("标准答案", "the model answer"),
+    "_start": Text("起始内容", "the start"),
+    "_right": Text("正确样本", "right samples"),
+    "_wrong": Text("错误样本", "wrong samples"),
+    "_after": Text("先修练习", "prerequisites"),
+    "_hints": Text("提示", "hints"),
+    "_repairs": Text("改正提示", "hints by repair"),
+}
+
+
+def _put(name: str, number: int = 0) -> Text:
+    what = _NAMES[name]
+    return Text(f"{what.zh} {number}", f"{what.en} {number}") if number else what
+
+
+def _plain(zh: str, en: str) -> Text:
+    return Text(zh, en)
+
+
+def _words(exercise: Exercise, _known: Mapping[str, Exercise]) -> Iterator[Proof]:
+    """Look for a sentence that is missing, or stands in the wrong language; a list reads alike in both."""
+    said = {"title": exercise.title, "task": exercise.task}
+    said |= {f"hint {number}": one for number, one in enumerate(exercise.hints, 1)}
+    said |= {f"because {number}": one.because for number, one in enumerate(exercise.wrong, 1)}
+    bad = [
+        name
+        for name, one in said.items()
+        if not (one.zh.strip() and one.en.strip())
+        or _CHINESE.search(one.en)
+        or not (_CHINESE.search(one.zh) or one.zh == one.en)
+    ]
+    names = ", ".join(bad)
+    trouble = _plain(f"缺一种语言，或写错了语言：{names}", f"a language is missing, or is the other one: {names}")
+    yield Proof(_put("_words"), "failed" if bad else "proved", trouble if bad else NOTHING)
+
+
+def _drawing(exercise: Exercise, _known: Mapping[str, Exercise]) -> Iterator[Proof]:
+    """Read the drawing and the list that it becomes."""
+    family = dialect(exercise.dialect)
+    for text in (exercise.reference, *exercise.choices):
+        if is_drawing(text):
+            found = errors(read_drawing(text)[1])
+            if found:
+                yield Proof(_put("_drawing"), "failed", found[0].text)
+                return
+    if exercise.kind in {"write", "complete", "bug", "order"}:
+        program = reference(exercise.reference, family)
+        count = len(program.lines)
+        yield Proof(_put("_drawing"), "proved", _plain(f"{count}条指令", f"{count} instructions"))
+    else:
+        yield Proof(_put("_drawing"), "proved")
+
+
+def _material(exercise: Exercise, _known: Mapping[str, Exercise]) -> Iterator[Proof]:
+    """Make what a learner sees before answering."""
+    sheet = shown(exercise)
+    yield Proof(_put("_material"), "proved", _plain(sheet.form, sheet.form))
+
+
+def _model(exercise: Exercise, _known: Mapping[str, Exercise]) -> Iterator[Proof]:
+    judged = judge(exercise, model(exercise))
+    yield Proof(_put("_model"), "proved" if _full(judged) else "failed", _status(judged))
+
+
+def _start(exercise: Exercise, _known: Mapping[str, Exercise]) -> Iterator[Proof]:
+    if exercise.start.strip():
+        judged = judge(exercise, exercise.start)
+        yield Proof(_put("_start"), "failed" if _full(judged) else "proved", _status(judged))
+
+
+def _right(exercise: Exercise, _known: Mapping[str, Exercise]) -> Iterator[Proof]:
+    """Judge the right samples; each wants full marks."""
+    for number, text in enumerate(exercise.right, 1):
+        judged = judge(exercise, text)
+        yield Proof(_put("_right", number), "proved" if _full(judged) else "failed", _status(judged))
+    yield from _few("_right", len(exercise.right), FEW_RIGHT)
+
+
+def _wrong(exercise: Exercise, _known: Mapping[str, Exercise]) -> Iterator[Proof]:
+    """Judge the wrong samples; each wants the verdict or the finding that it promises."""
+    for number, sample in enumerate(exercise.wrong, 1):
+        judged = judge(exercise, sample.program)
+        yield Proof(
+            _put("_wrong", number),
+            "proved" if refused_as_promised(judged, sample) else "failed",
+            _reason(judged, sample),
+        )
+    yield from _few("_wrong", len(exercise.wrong), FEW_WRONG)
+
+
+def _few(name: str, count: int, enough: int) -> Iterator[Proof]:
+    if not count:
+        yield Proof(_put(name), "failed", _plain("一个也没有", "there is none"))
+    elif count < enough:
+        yield Proof(
+            _put(name),
+            "note",
+            _plain(f"只有{count}个，最好有{enough}个", f"only {count}, and {enough} would be better"),
+        )
+
+
+def refused_as_promised(judged: Judgement, sample: WrongSample) -> bool:
+    """Say whether an answer lost marks for the reason that its sample gives."""
+    if judged.marks >= judged.exercise.points:
+        return False
+    codes = {one.code for one in judged.verdict.diagnostics}
+    if sample.expect in RULES:
+        return sample.expect in codes
+    return judged.verdict.status == sample.expect
+
+
+def _full(judged: Judgement) -> bool:
+    return judged.verdict.status == "equal" and judged.marks == judged.exercise.points
+
+
+def _status(judged: Judgement) -> Text:
+    verdict = judged.verdict
+    codes = " ".join(dict.fromkeys(one.code for one in verdict.diagnostics))
+    said = f"{verdict.status}{f' ({verdict.proof})' if verdict.proof else ''} {judged.marks:g}/{judged.exercise.points:g} {codes}"
+    more = "; ".join(one.en for one in judged.says)
+    return _plain(f"{said} {'；'.join(one.zh for one in judged.says)}".strip(), f"{said} {more}".strip())
+
+
+def _reason(judged: Judgement, sample: WrongSample) -> Text:
+    got = _status(judged)
+    return _plain(f"应为{sample.expect}：{got.zh}", f"promised {sample.expect}: {got.en}")
+
+
+def _after(exercise: Exercise, known: Mapping[str, Exercise]) -> Iterator[Proof]:
+    """Look for the exercises that are to be done before."""
+    missing = [name for name in exercise.after if name not in known]
+    late = [name for name in exercise.after if name in known and known[name].order > exercise.order]
+    if missing:
+        names = ", ".join(missing)
+        yield Proof(_put("_after"), "failed", _plain(f"没有这样的练习：{names}", f"there is no exercise {names}"))
+    if late:
+        names = ", ".join(late)
+        yield Proof(_put("_after"), "failed", _plain(f"排在后面：{names}", f"comes later: {names}"))
+    if exercise.after and not missing and not late:
+        yield Proof(_put("_after"), "proved", _plain(", ".join(exercise.after), ", ".join(exercise.after)))
+
+
+# hints
+
+_COUNTS: tuple[tuple[str, Callable[[Program], int]], ...] = (
+    (r"(?:answer|list|program|ladder) (?:has|needs|takes|wants) (\d+) instructions?\b", lambda one: len(one.lines)),
+    (r"(?:答案|语句表|指令表|程序|梯形图)(?:有|要|需要|一共|共)+(\d+)条指令", lambda one: len(one.lines)),
+)
+_WORD = re.compile(r"(?<![\w./%])[A-Z][A-Z(]{1,5}\(?(?![\w.])")
+
+
+def _hints(exercise: Exercise, _known: Mapping[str, Exercise]) -> Iterator[Proof]:
+    """Hold what the hints count and name against the answers that are right."""
+    if exercise.kind in _LISTS:
+        programs = [read(text, exercise.dialect) for text in (model(exercise), *exercise.right)]
+        for number, hint in enumerate(exercise.hints, 1):
+            yield Proof(_put("_hints", number), *_told(hint, programs, exercise))
+    count = len(exercise.hints)
+    if count < FEW_HINTS:
+        yield Proof(_put("_hints"), "note", _plain(f"只有{count}个", f"only {count}"))
+
+
+def _told(hint: Text, programs: list[Program], exercise: Exercise) -> tuple[State, Text]:
+    """Say whether a hint is true of one of the right answers, as far as that can be told."""
+    for said in (hint.zh, hint.en):
+        for pattern, count in _COUNTS:
+            for claim in re.findall(pattern, said):
+                if int(claim) not in {count(one) for one in programs}:
+                    return "failed", _plain(f"“{claim}”和标准答案不符", f"{claim!r} is not what the model answer has")
+    words = {line.insn.mnemonic for one in programs for line in one.lines} | {
+        line.insn.word for one in programs for line in one.lines
+    }
+    family = dialect(exercise.dialect)
+    named = {one for said in (hint.zh, hint.en) for one in _WORD.findall(said) if one in family.words}
+    foreign = ", ".join(sorted(named - words))
+    if foreign:
+        return "note", _plain(f"正确样本里没有{foreign}", f"no right sample uses {foreign}")
+    return "proved", NOTHING
+
+
+def _repairs(exercise: Exercise, _known: Mapping[str, Exercise]) -> Iterator[Proof]:
+    """Follow the hint that is derived from the first wrong list: mended by it, it gets full marks."""
+    if exercise.kind not in _LISTS or exercise.needs:
+        return
+    wanted = reference(model(exercise), exercise.dialect)
+    for number, sample in enumerate(exercise.wrong, 1):
+        program = read(sample.program, exercise.dialect)
+        plain = exercise.kind == "write"
+        found = repair(
+            wanted, program, exercise.terms, accepts=None if plain else lambda text: _full(judge(exercise, text))
+        )
+        if found:
+            state: State = "proved" if _full(judge(exercise, found.edit.text)) else "failed"
+            yield Proof(_put("_repairs", number), state)
+            return
