@@ -5,6 +5,7 @@ An edit is a new list. Whether it is right, nobody here knows: `check.repair` tr
 
 from __future__ import annotations
 
+from collections import Counter
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
 from typing import TYPE_CHECKING, Literal
@@ -104,9 +105,10 @@ class Listing:
 
     @cached_property
     def missing(self) -> tuple[str, ...]:
-        """The bits that the reference writes as a coil and this program does not write."""
-        mine = {address.text for address in _written(self.program)}
-        return tuple(one for one in _addresses(_written(self.reference)) if one not in mine)
+        """The instructions that the reference has and this program has not, or not as often."""
+        mine = Counter(line.text for line in self.lines)
+        theirs = Counter(line.text for line in self.reference.lines)
+        return tuple((theirs - mine).keys())
 
 
 def _written(program: Program) -> list[Address]:
@@ -136,7 +138,7 @@ def edits(listing: Listing, relevant: Callable[[int], bool], *, shapes: bool = F
     yield from _headings(listing)
     yield from odd
     starts_at = [start for start, _ in listing.rungs if relevant(start)]
-    for new in (_stack_words,) if shapes else (_stack_words, _contact_words):
+    for new in (_missing_words, _stack_words, *(() if shapes else (_contact_words,))):
         for number in numbers:
             yield from (listing.behind("insert", number, word) for word in new(listing))
         for start in starts_at:
@@ -265,11 +267,13 @@ def _words_without_operands(dialect: Dialect) -> tuple[str, ...]:
     return tuple(dict.fromkeys([*plain, *closing]))
 
 
+def _missing_words(listing: Listing) -> tuple[str, ...]:
+    return listing.missing
+
+
 def _stack_words(listing: Listing) -> tuple[str, ...]:
-    """Give what can be put into a list without an operand, and the coils that are missing."""
-    dialect = listing.program.dialect
-    coils = tuple(f"{dialect.roles['coil']} {address}" for address in listing.missing)
-    return (*_words_without_operands(dialect), *coils)
+    """Give what can be put into a list without an operand."""
+    return _words_without_operands(listing.program.dialect)
 
 
 def _contact_words(listing: Listing) -> tuple[str, ...]:

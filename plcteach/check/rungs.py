@@ -69,7 +69,7 @@ def relevant_lines(parts: tuple[Rung, ...], program: Program, wrong: Iterable[st
         size = len(cone)
         cone = cone.union(*(read for read, written in zip(reads, writes, strict=True) if written & cone))
     every = not outputs or not outputs <= set().union(*writes) or _wanders(program)
-    kept = [one for one, written in zip(parts, writes, strict=True) if every or written & cone]
+    kept = [one for one, written in zip(parts, writes, strict=True) if every or not written or written & cone]
     return lambda number: any(start <= number < stop for start, stop in kept)
 
 

@@ -35,6 +35,10 @@ class Score(float):
     def __repr__(self) -> str:
         return float.__repr__(self)
 
+    def __reduce__(self) -> tuple[type[Score], tuple[float, float, Judgement | None]]:
+        """Let a copy, and a score that comes back from another process, keep its judgement."""
+        return Score, (float(self), float(self), self.judgement)
+
     def _repr_html_(self) -> str:
         if self.judgement is None:
             return escape(repr(self))

@@ -165,7 +165,9 @@ def _making_verbs(verbs: Any, common: argparse.ArgumentParser, reading: argparse
 
 def _grading_verb(verbs: Any, common: argparse.ArgumentParser) -> None:
     one = _verb(verbs, "grade", grade_verb, [common], "grade a folder of answers, as a learning platform gives it out")
-    one.add_argument("folder", help="a folder for each learner, or a file for each (a ZIP file is to be unpacked first)")
+    one.add_argument(
+        "folder", help="a folder for each learner, or a file for each (a ZIP file is to be unpacked first)"
+    )
     one.add_argument("--exercise", required=True, metavar="ID", help="a bundled exercise, or your own .toml file")
     one.add_argument("-o", "--output", type=Path, metavar="OUT", help="where the results go (default: FOLDER-marks)")
     one.add_argument("--jobs", type=_count, help="how many processes (default: one for each core)")
@@ -196,10 +198,18 @@ def _exercise_verbs(verbs: Any, common: argparse.ArgumentParser, reading: argpar
         default="write",
         help="what the learner is asked to do (default: write the list)",
     )
-    one.add_argument("-o", "--output", type=Path, metavar="FILE.toml", help="where to write it (default: standard output)")
+    one.add_argument(
+        "-o", "--output", type=Path, metavar="FILE.toml", help="where to write it (default: standard output)"
+    )
     one.add_argument("--force", action="store_true", help="write over a file that is there already")
 
-    one = _verb(some, "test", exercises.test_verb, [common], "prove that exercises accept what is right and refuse what is wrong")
+    one = _verb(
+        some,
+        "test",
+        exercises.test_verb,
+        [common],
+        "prove that exercises accept what is right and refuse what is wrong",
+    )
     one.add_argument("what", nargs="*", metavar="FILE", help="files, folders or ids (default: all bundled exercises)")
     one.add_argument("--json", **json)
 

@@ -20,7 +20,9 @@ if TYPE_CHECKING:
     from plcteach.machine.recording import Difference
     from plcteach.machine.trace import Trace
 
-_SAME = Text("重放了{time}：{addresses}与记录相同。", "{time} replayed: {addresses} as they were in the recording.")
+_SAME = Text(
+    "重放了{time}：{addresses}每次扫描都与记录相同。", "{time} replayed: in every scan {addresses} as recorded."
+)
 _NONE = Text(
     "这份时间表没有记下输出（例如 = {example}: 1s off, on），没有可比较的。",
     "This timeline says of no output what it should be (such as = {example}: 1s off, on): there is nothing to compare.",

@@ -46,7 +46,7 @@ def wrong_run(judgement: Judgement) -> Replay | None:
         return Replay(shot.json, _step(shot, found.line), {"say": found.says.as_dict()})
     other = film([run(wanted, example.inputs).scans[found.scan]], _REFERENCE)
     said = joined((found.says, found.beside)).as_dict()
-    beside = {"say": said, "film": other.json, "index": _step(other, found.other)}
+    beside = {"say": said, "film": other.data, "index": _step(other, found.other)}
     return Replay(shot.json, _step(shot, found.line), beside)
 
 

@@ -114,6 +114,11 @@ def test_the_eight_lamps_run_freeze_step_go_on_stop_and_are_looked_back_at(lamps
     lamps.wait_for_function("() => document.querySelector('.plc-livebench .plc-count').textContent.includes('scan 6')")
     assert on(lamps) == []
     assert last > 200
+    lamps.locator(".plc-livebench .plc-speed").last.select_option("5")
+    lamps.locator(".plc-live-replay").first.click()
+    lamps.wait_for_selector(".plc-live-taped-over", timeout=30_000)
+    assert "as recorded" in lamps.locator(".plc-live-tape-words").first.inner_text()
+    assert int(slider.get_attribute("max") or 0) == last, "it ran as many scans as before"
     assert axe(lamps, ".plc-livebench") == []
 
 

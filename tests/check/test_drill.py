@@ -7,6 +7,7 @@ import re
 import subprocess
 import sys
 from statistics import mean
+from typing import TYPE_CHECKING
 
 import pytest
 
@@ -15,14 +16,16 @@ from plcteach.check.drilling.shapes import KINDS
 from plcteach.check.judge import judge, model, shown
 from plcteach.check.lint import lint
 from plcteach.core.errors import PlcTeachError, UnknownNameError
-from plcteach.core.exercise import Exercise
 from plcteach.core.ladder import Coil, Contact
 from plcteach.dialects import families, names
 from plcteach.ladder.meaning import meaning
 from plcteach.ladder.picture import read_drawing
 from plcteach.machine.rows import Rows
-from plcteach.machine.signals import Column
 from plcteach.stl import read
+
+if TYPE_CHECKING:
+    from plcteach.core.exercise import Exercise
+    from plcteach.machine.signals import Column
 
 FAMILIES = tuple(one.name for one in families())
 LEVELS = (1, 2, 3, 4, 5)

@@ -372,6 +372,18 @@ def test_a_lamp_that_is_read_before_it_is_written_comes_a_scan_late() -> None:
     assert "I0.0 100" in shown(one).text.zh
 
 
+def test_scans_of_different_lengths_are_listed() -> None:
+    one = chart(scans=({"I0.0": 1}, {"ms": 40}, {"ms": 100}))
+    assert "Time before each scan (ms): · 40 100" in shown(one).text.en
+    assert "各扫描之前经过的时间（ms）：· 40 100" in shown(one).text.zh
+
+
+def test_a_chart_wants_an_output_and_scans() -> None:
+    for one in (chart(scans=()), chart(given="LD I0.0\nS M0.0, 1\n")):
+        with pytest.raises(DeclarationError, match="wants an output and scans"):
+            model(one)
+
+
 def test_a_timer_of_one_second_with_scans_of_half_a_second() -> None:
     """TON T37, 10 counts 100 ms steps; the scan that starts it counts none, so that it is on in the third scan."""
     scans = ({"I0.0": 1, "ms": 500}, *({"ms": 500},) * 3, {"I0.0": 0, "ms": 500})
@@ -496,6 +508,15 @@ def test_a_fault_is_mended_with_few_edits() -> None:
     assert "Changing 1 of the lines is enough; here 3 are changed." in headline(rewritten).en
 
 
+def test_what_is_shown_of_a_fault_is_the_list_with_it_and_the_ladder_that_was_meant() -> None:
+    one = task("bug", reference=CHOICES[0], start="LD I0.0\nA I0.1\nO I0.2\n= Q0.0\n")
+    sheet = shown(one)
+    assert (sheet.form, sheet.start, len(sheet.ladders)) == ("list", one.start, 1)
+    assert sheet.program is not None
+    assert [line.text for line in sheet.program.lines] == one.start.splitlines()
+    assert model(one).splitlines() == ["LD I0.0", "A I0.1", "LD I0.2", "A I0.3", "OLD", "= Q0.0"]
+
+
 def test_a_translation_keeps_what_it_does_by_the_table_that_is_shown() -> None:
     one = task("translate", "fx", given=SEAL_IN, source="s7-200", reference=SEAL_IN)
     text = shown(one).text.en
@@ -580,6 +601,19 @@ def test_whatever_is_typed_gets_a_clear_answer_soon(kind: str, hostile: str, cap
 def test_an_answer_that_is_far_too_long_is_not_read() -> None:
     for kind in ("predict", "join", "match", "chart"):
         assert codes(judge(ALL[kind], "1-2 " * 200_000)) == ["KND010"]
+
+
+def test_the_ends_of_the_numbers_of_rows() -> None:
+    """A long program is judged by its rungs and edits as soon as a short one."""
+    from plcteach.core.exercise import Need
+
+    needs = (Need("contact", "/I0.7", "Q0.0"), Need("edits", "1"), Need("most", "3"))
+    one = task("bug", reference="--[ I0.0 ]--( Q0.0 )", start="LD I0.0\n= Q0.0\n", needs=needs)
+    rung = "LD I0.{0}\nO Q0.{0}\nAN I1.{0}\n= Q1.{0}\n"
+    start = time.process_time()
+    judged = judge(one, "".join(rung.format(number % 8) for number in range(480)) + "LD I0.0\n= Q0.0\n")
+    assert time.process_time() - start < 2
+    assert (judged.verdict.status, judged.marks, len(judged.says)) == ("equal", 3, 3)
 
 
 def test_terms_of_an_exercise_reach_the_comparison() -> None:

@@ -15,17 +15,18 @@ from pathlib import Path
 
 import pytest
 
+from plcteach.check.judge import model
 from plcteach.check.marking import mark as marks
 from plcteach.check.marking.grading import How, grade_folder
 from plcteach.check.marking.handed import MOST_BYTES, handed_in
-from plcteach.check.marking.mark import Mark, mark_of
+from plcteach.check.marking.mark import Mark, mark_of, plain
 from plcteach.check.marking.rows import histogram
 from plcteach.check.marking.tables import cell
 from plcteach.check.marking.workers import marked
 from plcteach.check.score import grade
 from plcteach.cli import main
 from plcteach.core.text import Text
-from plcteach.exercises import exercise
+from plcteach.exercises import exercise, ids
 
 RIGHT = "LD I0.0\nA I0.1\nLD I0.2\nAN I0.3\nOLD\n= Q0.0\n"
 WRONG = "LD I0.0\nA I0.1\nO I0.2\nAN I0.3\n= Q0.0\n"
@@ -130,6 +131,30 @@ def test_of_several_answers_the_best_counts_and_the_others_are_named(results) ->
 def test_a_link_is_not_followed_out_of_the_folder(folder) -> None:
     (mallory,) = [one for one in handed_in(folder) if one.learner == "mallory"]
     assert mallory.text == ""
+
+
+def test_the_folder_that_unpacking_made_around_the_others_is_passed_through(folder, tmp_path) -> None:
+    (tmp_path / "outer" / "inner").mkdir(parents=True)
+    (tmp_path / "outer" / "inner" / "week").symlink_to(folder)
+    for name in ("Ann_1_assignsubmission_file_", "Ben"):
+        (tmp_path / "unpacked" / "week 4" / name).mkdir(parents=True)
+        (tmp_path / "unpacked" / "week 4" / name / "a.stl").write_text(RIGHT)
+    assert [(one.learner, one.number) for one in handed_in(tmp_path / "unpacked")] == [("Ann", "1"), ("Ben", "")]
+    assert [one.trouble.code for one in handed_in(tmp_path / "outer")] == ["FIL001"]
+
+
+FIRST_OF_KIND = {exercise(one).kind: one for one in reversed(ids())}
+
+
+@pytest.mark.parametrize("kind", FIRST_OF_KIND)
+def test_every_kind_of_exercise_is_graded_and_its_mark_comes_back_from_the_file_as_it_was(kind: str) -> None:
+    task = exercise(FIRST_OF_KIND[kind])
+    for text in (model(task), "", "LD", task.wrong[0].program):
+        mark = mark_of(task, plain(text))
+        assert Mark.from_json(json.loads(json.dumps(mark.as_json()))) == mark
+        assert mark.marks == grade(task, text)
+        assert mark.codes != ("HND003",)
+    assert mark_of(task, model(task)).marks == task.points
 
 
 # The tables.
@@ -394,6 +419,13 @@ def test_a_wrong_call_says_what_to_do(folder, words: list[str], said: str, capsy
 def test_json_and_nothing_but_json(folder, tmp_path, capsys) -> None:
     assert main(["grade", str(folder), "--exercise", ID, "-o", str(tmp_path), "--json"]) == 0
     assert json.loads(capsys.readouterr().out)["class"]["learners"] == len(WANTED)
+
+
+def test_a_cluster_wants_its_extra(folder, tmp_path, capsys, monkeypatch) -> None:
+    monkeypatch.setattr("plcteach.check.marking.cluster.find_spec", lambda _: None)
+    call = ["grade", str(folder), "--exercise", ID, "-o", str(tmp_path), "--cluster", "tcp://127.0.0.1:9"]
+    assert main(call) == 2
+    assert "plcteach[cluster]" in capsys.readouterr().err
 
 
 def test_an_empty_folder_is_graded_too(tmp_path, capsys) -> None:

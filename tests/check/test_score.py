@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import copy
 import json
 import math
+import pickle
 import subprocess
 import sys
 from decimal import Decimal
@@ -171,6 +173,14 @@ def test_no_exercise_gives_marks_for_an_empty_page_or_for_its_own_start(name: st
 
     assert grade(name, "") == 0.0
     assert grade(name, exercise(name).start) < exercise(name).points
+
+
+@pytest.mark.parametrize("again", [copy.copy, copy.deepcopy, lambda one: pickle.loads(pickle.dumps(one))])  # noqa: S301
+def test_a_score_comes_back_whole_from_a_copy_and_from_another_process(again) -> None:
+    score = grade("s7-two-blocks", WRONG)
+    other = again(score)
+    assert (type(other), other, repr(other)) == (Score, score, repr(score))
+    assert other._repr_html_() == score._repr_html_()
 
 
 # Cases, for graders that count what passes.

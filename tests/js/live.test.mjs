@@ -2,6 +2,7 @@
 
 import assert from "node:assert/strict";
 import test from "node:test";
+import { tapeWords } from "../../plcteach/figure/static/live-replay.js";
 import { bitPath, freshNews, gridStep, stretches, takeBatch, timeWords, trimTracks, valueAt } from "../../plcteach/figure/static/live-shape.js";
 
 test("a batch changes what it names and leaves the rest; faces one by one, the chart behind what was there", () => {
@@ -39,4 +40,12 @@ test("old changes go, but the last value before the window stays", () => {
 test("grid lines stand at round numbers, about six in a window", () => {
   assert.deepEqual([500, 1000, 5000, 60000, 300000].map((span) => gridStep(span)), [100, 200, 1000, 10000, 50000]);
   assert.equal(timeWords(1230), "1.23 s");
+});
+
+test("the strip says how long a recording is, that it is over, and whether the outputs were as recorded", () => {
+  const tape = { end: 12340, over: false, tells: true, same: true };
+  assert.match(tapeWords(tape, "en"), /12\.34 s/);
+  assert.match(tapeWords({ ...tape, over: true }, "en"), /as recorded/);
+  assert.equal(tapeWords({ ...tape, over: true, tells: false }, "en"), "The recording is over.");
+  for (const over of [false, true]) assert.match(tapeWords({ ...tape, over, same: false }, "zh"), /不同/);
 });

@@ -23,7 +23,9 @@ _SECONDS = 120
 def notebooks() -> list[Path]:
     """Give every lesson that is committed, in order of path; the graders' course has its own form and its own tests."""
     return sorted(
-        path for path in FOLDER.rglob("*.ipynb") if not {".ipynb_checkpoints", "course"} & {*path.relative_to(FOLDER).parts}
+        path
+        for path in FOLDER.rglob("*.ipynb")
+        if not {".ipynb_checkpoints", "course"} & {*path.relative_to(FOLDER).parts}
     )
 
 

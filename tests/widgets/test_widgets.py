@@ -11,8 +11,6 @@ import pytest
 
 import plcteach
 from plcteach.core import text as words
-from plcteach.core.exercise import Exercise
-from plcteach.core.text import Text
 from plcteach.figure.verbs import film_of
 from plcteach.widgets import ExerciseDesk, StackPlayer, Workbench
 
@@ -166,86 +164,6 @@ def test_switches_that_the_program_does_not_know_do_no_harm(inputs: str) -> None
     assert json.loads(bench.report)["ok"]
 
 
-# The desk.
-
-TASK = Exercise(
-    "mine",
-    "s7-200",
-    Text("题目", "a <b>title</b>"),
-    Text("写", "write"),
-    "--[ I0.0 ]--[ I0.1 ]--( Q0.0 )",
-    "",
-    (Text("提示", "a hint"),),
-    (),
-    (),
-    2.0,
-)
-
-
-def test_a_desk_shows_its_task() -> None:
-    task = json.loads(ExerciseDesk("s7-two-blocks").task)
-    assert (task["id"], task["max"], task["dialect"]["name"]) == ("s7-two-blocks", 4.0, "s7-200")
-    assert task["ladder"]["zh"].startswith("<svg")
-    assert all(set(hint) == {"zh", "en"} for hint in task["hints"])
-    assert "reference" not in json.dumps(task)
-    listed = Exercise(TASK.id, "s7-200", TASK.title, TASK.task, "LD I0.0\n= Q0.0", "", (), (), ())
-    assert json.loads(ExerciseDesk(listed).task)["ladder"] == {}
-
-
-def test_a_desk_answers_each_change_with_its_findings() -> None:
-    desk = ExerciseDesk(TASK)
-    report = types(desk, "LD I0.0\nOLD\n= Q0.0")
-    assert (report["source"], report["ok"]) == (1, False)
-    assert [one["code"] for one in report["diagnostics"] if one["severity"] == "error"] == ["STK001"]
-    assert types(desk, "LD I0.0\nA I0.1\n= Q0.0") == {
-        "source": 2, "diagnostics": [], "ok": True, "dialect": {"title": {"zh": "西门子S7-200", "en": "Siemens S7-200"}},
-    }  # fmt: skip
-    assert desk.verdict == ""
-
-
-def test_check_judges_the_text_as_it_stands() -> None:
-    desk = ExerciseDesk(TASK, "LD I0.0\nO I0.1\n= Q0.0")
-    presses(desk, "check")
-    verdict = json.loads(desk.verdict)
-    assert (verdict["status"], verdict["marks"], verdict["max"], verdict["canShow"]) == ("different", 0.0, 2.0, True)
-    assert desk.judgement is not None
-    types(desk, "LD I0.0\nA I0.1\n= Q0.0")
-    judged = desk.check()
-    assert (judged.verdict.status, judged.marks) == ("equal", 2.0)
-    assert json.loads(desk.verdict)["status"] == "equal"
-
-
-def test_show_me_plays_the_learners_own_program_on_the_telling_inputs() -> None:
-    desk = ExerciseDesk(TASK, "LD I0.0\nO I0.1\n= Q0.0")
-    presses(desk, "show")
-    assert desk.film == ""
-    presses(desk, "check")
-    desk.index = 3
-    presses(desk, "show")
-    shot = film(desk)
-    assert [line["text"] for line in shot["lines"]] == ["LD I0.0", "O I0.1", "= Q0.0"]
-    assert dict(shot["steps"][0]["read"]) == {"I0.0": "1", "I0.1": "0"}
-    assert shot["steps"][-1]["write"] == [["Q0.0", "1"]]
-    assert desk.index == 0
-
-
-def test_show_me_plays_the_scan_in_which_they_differ() -> None:
-    sealed = Exercise(
-        "mine", "s7-200", TASK.title, TASK.task, "--[ I0.0 ]--+--[/I0.1 ]--( Q0.0 )\n--[ Q0.0 ]--+", "", (), (), ()
-    )
-    desk = ExerciseDesk(sealed, "LD I0.0\nAN I0.1\n= Q0.0")
-    presses(desk, "check")
-    presses(desk, "show")
-    assert {step["scan"] for step in film(desk)["steps"]} == {1}
-
-
-def test_a_desk_begins_with_the_exercises_start_or_a_given_text() -> None:
-    begun = Exercise("mine", "fx", TASK.title, TASK.task, "LD X0\nOUT Y0", "LD X0\n", (), (), ())
-    assert ExerciseDesk(begun).source == "LD X0\n"
-    assert ExerciseDesk(begun, "").source == ""
-    assert repr(ExerciseDesk(begun)) == "ExerciseDesk(mine)"
-
-
 # The player.
 
 OLD = "LD I0.0; LD I0.1; OLD; = Q0.0"
@@ -282,20 +200,14 @@ def test_a_saved_page_shows_a_table_without_a_kernel() -> None:
     assert shown.count("<tr>") == 4
     assert "<code>OLD</code>" in shown
     assert "no program yet" in html(Workbench("", "s7-200"))
-    saved = html(ExerciseDesk(TASK))
-    assert "&lt;b&gt;title" in saved
-    assert "<svg" in saved, "the ladder can be read without a kernel"
+    assert "<svg" in html(plcteach.desk("s7-two-blocks")), "the ladder can be read without a kernel"
 
 
 @pytest.mark.parametrize("hostile", ["<script>alert(1)</script>", "<img src=x onerror=alert(1)>"])
 def test_nothing_that_a_learner_types_becomes_a_tag(hostile: str) -> None:
     bench = Workbench(f"LD I0.0 // {hostile}\n= Q0.0\n", "s7-200")
     types(bench, f"{hostile}\nLD I0.0\n= Q0.0 // {hostile}")
-    desk = ExerciseDesk(
-        Exercise(hostile, "s7-200", TASK.title, TASK.task, TASK.reference, hostile, (), (), ()), hostile
-    )
-    desk.check()
-    for widget in (bench, desk, StackPlayer(film_of(f"LD I0.0 // {hostile}\n= Q0.0", "s7-200"))):
+    for widget in (bench, StackPlayer(film_of(f"LD I0.0 // {hostile}\n= Q0.0", "s7-200"))):
         assert "<script" not in html(widget)
         assert "<img" not in html(widget)
 

@@ -42,12 +42,13 @@ def predict(plain: Exercise, program: Program, dice: Dice) -> Exercise:
     )  # fmt: skip
     rows = KINDS["predict"].model(made).splitlines()
     turned = [row.translate(_TURNED) for row in rows]
-    places = dict.fromkeys((0, len(rows) - 1, len(rows) // 2))
+    told = [number for number, row in enumerate(rows) if turned[number] != row]
+    places = dict.fromkeys((told[0], told[-1], told[len(told) // 2]))
     grids = [[*rows[:at], turned[at], *rows[at + 1 :]] for at in places]
     wrong = [WrongSample("\n".join(grid), "different", _OTHER) for grid in (*grids, turned, [])]
+    line, value = program.lines[told[0]].text, rows[told[0]]
     first = Text(
-        f"第1条指令{program.lines[0].text}以后，是{rows[0]}。",
-        f"After instruction 1, {program.lines[0].text}, it is {rows[0]}.",
+        f"第{told[0] + 1}条指令{line}以后，是{value}。", f"After instruction {told[0] + 1}, {line}, it is {value}."
     )
     return replace(made, hints=(*_AT_EACH_LINE, first), right=("\n".join(rows),), wrong=tuple(wrong[:3]))
 

@@ -55,7 +55,7 @@ def _reordered(text: str, dialect: Dialect) -> Iterator[str]:
     program = read(text, dialect)
     invert = dialect.roles.get("invert")
     if invert:
-        row = program.lines[0].span.row
+        row = next(line.span.row for line in program.lines if line.bits and not line.insn.then)
         rows = text.split("\n")
         yield "\n".join([*rows[:row], invert, invert, *rows[row:]])
 

@@ -138,10 +138,9 @@ class Shapes:
         return rungs
 
     def condition(self) -> Node:
-        """Give a condition that grows with the level; the simplest is one contact that closes."""
-        if self.level == 1:
-            return self.contact(plain=True)
-        return self.chain(2 + (self.level > 3 and self.dice.falls(0.5)))  # noqa: PLR2004 (from the middle on)
+        """Give a condition of two contacts; at level 1 one that closes, and at level 4 one or two."""
+        single = self.level == 1 or (self.level == MOST_LEVEL - 1 and self.dice.falls(0.5))
+        return self.contact(plain=True) if single else self.chain(2)
 
     # edges
 

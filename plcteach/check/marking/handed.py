@@ -44,8 +44,18 @@ def handed_in(folder: Path, encoding: str | None = None, without: Path | None = 
 
     A folder for each learner (`Name_1234_assignsubmission_file_`, or just a name), or files named for their learners.
     """
+    folder = _inner(folder, without)
     found = [_handed(folder, path, encoding) for path in _files(folder, without)]
     return sorted(found, key=lambda one: (one.learner.casefold(), one.learner, one.number, one.file))
+
+
+def _inner(folder: Path, without: Path | None) -> Path:
+    """Go into a folder that holds nothing but another with folders in it, as unpacking often makes them."""
+    seen = [one for one in folder.iterdir() if not _passed_over(one.name) and one.resolve() != without]
+    alone = len(seen) == 1 and seen[0].is_dir() and not seen[0].is_symlink() and not _PLATFORM.fullmatch(seen[0].name)
+    if alone and any(one.is_dir() for one in seen[0].iterdir()):
+        return _inner(seen[0], without)
+    return folder
 
 
 def _files(folder: Path, without: Path | None) -> Iterator[Path]:

@@ -22,6 +22,7 @@ if TYPE_CHECKING:
 
     from plcteach.core.exercise import Terms
     from plcteach.core.program import Program
+    from plcteach.core.spec import Dialect
     from plcteach.machine.store import Memory
 
 NO_TIME = 1
@@ -118,10 +119,11 @@ def product(reference: Program, student: Program, terms: Terms) -> Product:
     """Put two programs side by side; Unprovable where one of them has no circuit."""
     dialect = reference.dialect
     unit = min(bases(reference) | bases(student), default=NO_TIME)
-    setting = Setting(Graph(), unit)
+    named = _named(terms, dialect)
+    setting = Setting(Graph(), unit, named)
     pair = circuit(setting, 0, reference), circuit(setting, 1, student)
-    free = _free(pair)
-    if free:
+    free = _free(pair) | named
+    if free != named:
         setting = Setting(Graph(), unit, free)
         pair = circuit(setting, 0, reference), circuit(setting, 1, student)
     outputs = tuple(address_of(dialect, one).text for one in terms.outputs) or compared(pair[0])
@@ -132,6 +134,13 @@ def product(reference: Program, student: Program, terms: Terms) -> Product:
             start["was", name] = then["was", name] = setting.graph.variable(name)
     first, later = ask.question(first=True), ask.question(first=False)
     return Product(setting.graph, pair, first, later, start, then, unit, tuple(first.bad)).narrowed()
+
+
+def _named(terms: Terms, dialect: Dialect) -> frozenset[str]:
+    """Give the inputs that the terms name, whether a program does or not."""
+    formulas = (*terms.assume, *terms.never, *terms.dont_care.values())
+    places = [place for text in formulas for place in condition(text, dialect).addresses.values()]
+    return frozenset(place.text for place in places if dialect.area(place).role == "input")
 
 
 def _remembered(pair: tuple[Circuit, Circuit]) -> tuple[dict[Hashable, Gate], dict[Hashable, Gate]]:

@@ -172,8 +172,10 @@ class Walker:
         yield self._named(case)
         now = self._one(state, case)
         for _ in range(MOST_SETTLING_SCANS):
+            shown = self.bad
             after = self._one(now, still)
             if after == now:
+                self.bad = shown
                 break
             yield self._named(still)
             now = after

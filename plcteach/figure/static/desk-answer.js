@@ -88,6 +88,13 @@ export function withCell(cells, row, column, sign) {
   return cells.map((one, r) => (r === row ? one.map((old, c) => (c === column ? sign : old)) : one));
 }
 
+/** Gives what a verdict tells of a grid: the rows with a wrong cell, the others, and the cells. */
+export function marksOfVerdict({ status, wrong = [] }, rows) {
+  if (status === "error") return {};
+  const bad = new Set(wrong.map(([row]) => row));
+  return { rows: Array.from({ length: rows }, (_, row) => (bad.has(row) ? "wrong" : "right")), cells: wrong };
+}
+
 /** Gives the cell a key leads to from another, staying inside the grid; null for any other key. */
 export function cellAfterKey(key, row, column, rows, columns) {
   const steps = { ArrowUp: [-1, 0], ArrowDown: [1, 0], ArrowLeft: [0, -1], ArrowRight: [0, 1], Home: [0, -columns], End: [0, columns] };

@@ -4,6 +4,7 @@ import { h, say } from "./ui.js";
 import { readTrait } from "./worksheet.js";
 import { openSession, followTraits, viewChoices, wordButton, renameButton } from "./panel.js";
 import { statusLine, keepDrafts, filmPanel, toolRoot, flushOnLeave } from "./panel.js";
+import { marksOfVerdict } from "./desk-answer.js";
 import { mountAnswer } from "./desk-form.js";
 import { hintPart, keptPart, modelPart, showPart, taskPart, verdictPart } from "./desk-parts.js";
 
@@ -102,7 +103,7 @@ function hearKernel(parts, model) {
     if (!verdict) return;
     Object.assign(parts, { verdictNow: verdict, checking: false });
     parts.session.answered();
-    parts.answer.mark({ cells: verdict.wrong || [] });
+    parts.answer.mark(marksOfVerdict(verdict, parts.task().rows?.length || 0));
     parts.judge();
   };
   parts.onFilm = () => {
