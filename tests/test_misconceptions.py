@@ -7,12 +7,17 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from itertools import product
+from pathlib import Path
 
 import pytest
 
 from plcteach.check.lint import lint
 from plcteach.check.same import compare
 from plcteach.core.diagnostic import RULES
+from plcteach.core.errors import UnknownNameError
+from plcteach.core.misconception import MISCONCEPTIONS, misconception
+from plcteach.dialects import families
+from plcteach.exercises import concept_test, exercise, ids
 from plcteach.machine import run
 from plcteach.machine.formula import spelled, written
 from plcteach.stl import read
@@ -272,3 +277,73 @@ def test_13_the_message_of_a_full_stack_counts_levels_as_the_family_does() -> No
     assert "11" in full.text.en
     assert "11" in full.text.zh
     assert "12" not in full.text.en + full.text.zh  # the result register is not a level
+
+
+# The table of all 29, and where each is met.
+
+LESSONS = {int(path.name[:2]) for path in (Path(__file__).parents[1] / "notebooks" / "en").glob("[0-9][0-9]-*.ipynb")}
+
+
+def test_the_table_has_29_rows_each_with_its_own_words_and_a_lesson_that_is_there() -> None:
+    assert list(MISCONCEPTIONS) == list(range(1, 30))
+    for number, row in MISCONCEPTIONS.items():
+        assert row.number == number
+        texts = [row.title, row.thinks, row.fact]
+        assert all(one.zh and one.en for one in texts)
+        assert len({one.en for one in texts}) == 3
+        assert row.lesson in LESSONS
+    assert len({row.title.zh for row in MISCONCEPTIONS.values()}) == 29
+    assert misconception(6) is MISCONCEPTIONS[6]
+    with pytest.raises(UnknownNameError):
+        misconception(30)
+
+
+@pytest.mark.parametrize("number", MISCONCEPTIONS)
+def test_the_program_of_a_row_can_be_read_in_some_family(number: int) -> None:
+    text = MISCONCEPTIONS[number].program.replace("; ", "\n").replace(" | ", "\n")
+    assert any(read(text, family).runs for family in families())
+
+
+def test_every_diagnostic_names_a_lesson_that_is_there_and_ideas_that_are_in_the_table() -> None:
+    for row in RULES.values():
+        assert row.lesson in LESSONS | {-1}, row.code
+        assert set(row.misconceptions) <= set(MISCONCEPTIONS), row.code
+        assert row.lesson >= 0 or not row.misconceptions, row.code
+
+
+def test_a_diagnostic_about_the_stack_or_the_coils_names_its_lesson() -> None:
+    without = [
+        code for code, row in RULES.items() if code[:3] in {"STK", "STY", "TMR", "BLK", "BOX"} and row.lesson < 0
+    ]
+    assert without == []
+
+
+def met() -> dict[int, list[str]]:
+    """Where each idea is met: the diagnostics, the concept test, the wrong samples and the exercises that name it."""
+    found: dict[int, list[str]] = {number: [] for number in MISCONCEPTIONS}
+    for code, row in RULES.items():
+        for number in row.misconceptions:
+            found[number].append(code)
+    for task in (*concept_test(), *map(exercise, ids())):
+        for number in {*task.misconceptions, *(one.misconception for one in task.wrong)} - {0}:
+            found[number].append(task.id)
+    return found
+
+
+BY_EXERCISES_ALONE = {19, 29}
+"""Neither a diagnostic nor the concept test meets these; an exercise of the book does."""
+
+
+def test_each_of_the_29_is_a_diagnostic_or_a_question_of_the_concept_test_or_an_exercise() -> None:
+    found = met()
+    by_rules = {number for row in RULES.values() for number in row.misconceptions}
+    asked = {number for task in concept_test() for number in task.misconceptions}
+    assert set(MISCONCEPTIONS) - by_rules - asked == BY_EXERCISES_ALONE
+    missing = [number for number, where in found.items() if not where]
+    assert missing == [], f"no diagnostic, question or exercise names {missing}"
+
+
+def test_each_of_the_29_is_a_sample_or_an_exercise_of_the_book_or_a_question() -> None:
+    """A diagnostic alone is not enough: a learner must be able to meet the idea in a task."""
+    missing = [number for number, where in met().items() if not any(one not in RULES for one in where)]
+    assert missing == [], f"no [[wrong]] sample, question or exercise names {missing}"

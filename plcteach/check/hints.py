@@ -47,7 +47,7 @@ def _different(texts: Iterable[Text]) -> tuple[Text, ...]:
 
 def _said(one: Diagnostic) -> Text:
     row = Text(f"第{one.span.row}行：", f"Row {one.span.row}:") if one.span.row else Text("", "")
-    return joined((row, one.text, one.fix))
+    return joined((row, one.text))
 
 
 def _stages(judgement: Judgement) -> tuple[Text, ...]:
@@ -80,15 +80,17 @@ def _wanted(exercise: Exercise) -> Program:
 def believed(judgement: Judgement) -> tuple[int, ...]:
     """Give the numbers of the misconceptions that an answer shows, the surest first.
 
-    A wrong sample that is the answer, or does exactly what the answer does, tells which; then come the findings' own.
+    A wrong sample that is the answer, or does exactly what the answer does, tells which; then come the findings' own. Advice on
+    style counts where the answer is right.
     """
-    if judgement.verdict.status == "equal":
-        found = [one for one in judgement.verdict.diagnostics if rule(one.code).style]
-        return tuple(dict.fromkeys(_of_findings(judgement.exercise, found)))
+    right = judgement.verdict.status == "equal"
+    found = [one for one in judgement.verdict.diagnostics if rule(one.code).style is right]
+    of_findings = _of_findings(judgement.exercise, found)
+    if right:
+        return tuple(dict.fromkeys(of_findings))
     samples = [one for one in judgement.exercise.wrong if one.misconception]
     same = [one.misconception for one in samples if _words(one.program) == _words(judgement.answer)]
     alike = [] if same else [one.misconception for one in samples if _does_the_same(judgement, one)]
-    of_findings = _of_findings(judgement.exercise, judgement.verdict.diagnostics)
     return tuple(dict.fromkeys([*same, *alike, *of_findings]))
 
 

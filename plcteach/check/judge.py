@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from plcteach.check.against import reference, verdict_on
+from plcteach.check.discreet import discreet
 from plcteach.check.drill import task_of as find_exercise
 from plcteach.check.judgement import Judgement, Part, Sheet
 from plcteach.check.kinds import KINDS
@@ -18,16 +19,19 @@ __all__ = ["Judgement", "Part", "Sheet", "judge", "model", "reference", "shown",
 def judge(exercise: Exercise | str, answer: str | bytes) -> Judgement:
     """Judge an answer; UnknownNameError if there is no such exercise. The answer may be anything at all."""
     task = find_exercise(exercise)
-    return KINDS[task.kind].judged(task, answer)
+    with discreet(task):
+        return KINDS[task.kind].judged(task, answer)
 
 
 def shown(exercise: Exercise | str) -> Sheet:
     """Give what an exercise shows before it is answered."""
     task = find_exercise(exercise)
-    return KINDS[task.kind].shown(task)
+    with discreet(task):
+        return KINDS[task.kind].shown(task)
 
 
 def model(exercise: Exercise | str) -> str:
     """Give an answer that gets full marks; PlcTeachError where the exercise itself has an error."""
     task = find_exercise(exercise)
-    return KINDS[task.kind].model(task)
+    with discreet(task):
+        return KINDS[task.kind].model(task)

@@ -65,6 +65,11 @@ class Repair:
                 f"看第{row}到第{last}行：只在这里改一处，程序就符合要求。",
                 f"Look at rows {row} to {last}: one change there is enough.",
             )
+        if self.kind == "heading":
+            return Text(
+                f"看第{row}行上面，新的网络从那里开始：只在那里改一处就够了。",
+                f"Look just above row {row}, where a new network begins: one change there is enough.",
+            )
         if not row:
             return Text(
                 "看程序的开头：只在那里改一处就够了。", "Look at the very beginning: one change there is enough."

@@ -7,10 +7,11 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from plcteach.check.drill import task_of as exercise
 from plcteach.cli.printing import print_json, say
 from plcteach.cli.reading import CallError
 from plcteach.core.text import language
-from plcteach.exercises import exercise, load
+from plcteach.exercises import load
 
 if TYPE_CHECKING:
     import argparse

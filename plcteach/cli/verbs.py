@@ -6,6 +6,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from plcteach.check.drill import task_of as exercise
 from plcteach.check.judge import reference, verdict_on
 from plcteach.check.lint import lint
 from plcteach.cli.printing import (
@@ -24,7 +25,6 @@ from plcteach.cli.reading import CallError, family_of, program_of, scans_of, sym
 from plcteach.core.diagnostic import errors
 from plcteach.core.exercise import Terms
 from plcteach.core.text import language, same
-from plcteach.exercises import exercise
 from plcteach.machine import run
 
 if TYPE_CHECKING:

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import os
+import re
 import tomllib
 from functools import cache
 from importlib.resources import files
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from plcteach.core.diagnostic import RULES
@@ -14,7 +17,6 @@ from plcteach.core.text import NOTHING, Text
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping, Sequence
-    from pathlib import Path
 
 
 @cache
@@ -41,19 +43,56 @@ _CONCEPT = "concept"
 
 
 def exercise(name: str | Exercise) -> Exercise:
-    """Give a bundled exercise, or a question of the concept test, by its id; UnknownNameError suggests the nearest."""
+    """Give an exercise by its id; UnknownNameError suggests the nearest.
+
+    It is a bundled one, a question of the concept test, or one of a teacher's own in a folder that PLCTEACH_EXERCISES names.
+    """
     if isinstance(name, Exercise):
         return name
     try:
         return _bundled()[name] if name in _bundled() else _bundled(_CONCEPT)[name]
     except KeyError:
+        own = _own(name)
+    if own is None:
         kind = "exercise"
-        raise UnknownNameError(kind, name, _bundled()) from None
+        raise UnknownNameError(kind, name, _bundled())
+    return load(own)
 
 
-def load(path: Path) -> Exercise:
-    """Read a teacher's own exercise file; DeclarationError names what is missing."""
-    return parse(path.read_text(encoding="utf-8"), path.stem)
+FOLDERS = "PLCTEACH_EXERCISES"
+"""The variable of the environment that names a teacher's own folders, parted as in PATH."""
+
+
+def _own(name: str) -> Path | None:
+    """Give the file of an exercise in a teacher's own folders, if it is there."""
+    if not _PLAIN.fullmatch(str(name)):
+        return None
+    places = (Path(one) / f"{name}.toml" for one in os.environ.get(FOLDERS, "").split(os.pathsep) if one)
+    return next((place for place in places if place.is_file()), None)
+
+
+_PLAIN = re.compile(r"[\w-][\w.-]{0,99}")
+
+
+def folder(path: Path | str) -> tuple[Exercise, ...]:
+    """Read a teacher's own folder of exercises, in teaching order; DeclarationError names the file that does not read."""
+    found = [load(one) for one in Path(path).iterdir() if one.suffix == ".toml"]
+    return tuple(sorted(found, key=lambda one: (one.order, one.id)))
+
+
+def load(path: Path | str) -> Exercise:
+    """Read a teacher's own exercise file; DeclarationError names what is missing.
+
+    The exception is a new one, so that no traceback shows the file's text in its variables.
+    """
+    place = Path(path)
+    try:
+        return parse(place.read_text(encoding="utf-8"), place.stem)
+    except DeclarationError as trouble:
+        msg = str(trouble)
+    except UnicodeDecodeError:
+        msg = f"exercise {place.stem}: the file is not UTF-8"
+    raise DeclarationError(msg)
 
 
 def parse(toml: str, name: str) -> Exercise:

@@ -7,12 +7,12 @@ from typing import TYPE_CHECKING, Any
 
 import traitlets
 
+from plcteach.check.drill import task_of as find_exercise
 from plcteach.check.judge import Judgement, judge, model
 from plcteach.check.lint import lint
 from plcteach.core.diagnostic import errors
 from plcteach.core.text import NOTHING, Text
 from plcteach.dialects import dialect as find_dialect
-from plcteach.exercises import exercise as find_exercise
 from plcteach.stl import read
 from plcteach.widgets.answered import Hints, marks_of, verdict_of
 from plcteach.widgets.bench import as_json

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from contextlib import contextmanager
 from html import escape
 from typing import TYPE_CHECKING, Any
 
+from plcteach.check.discreet import discreet
 from plcteach.check.judge import shown
-from plcteach.core.errors import PlcTeachError
 from plcteach.core.text import Text, language
 from plcteach.dialects import dialect as find_dialect
 from plcteach.figure.ladder import ladder_scene
@@ -15,8 +14,6 @@ from plcteach.figure.svg import svg
 from plcteach.machine.scan import run
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
-
     from plcteach.check.judge import Sheet
     from plcteach.core.exercise import Exercise
     from plcteach.core.ladder import Ladder
@@ -24,23 +21,6 @@ if TYPE_CHECKING:
 _BOTH = ("zh", "en")
 _LOOKED_AT = {"translate", "match", "chart"}
 """The kinds whose program stands beside the answer, and neither in it nor in its rows."""
-_HELD = Text(
-    "这道题自己有错误，没能完成：{id}。请老师用plcteach exercise test检查它。",
-    "Exercise {id} has an error itself. Can its teacher look at it with plcteach exercise test?",
-)
-
-
-@contextmanager
-def discreet(exercise: Exercise) -> Iterator[None]:
-    """Do something with an exercise; of a hidden one no trouble tells more than that there is some, and no traceback shows it."""
-    try:
-        yield
-    except Exception:
-        if not exercise.hidden:
-            raise
-        raise PlcTeachError(_HELD.format(id=exercise.id).in_(language())) from None
-
-
 def sheet_of(exercise: Exercise) -> Sheet:
     """Give what an exercise shows before it is answered."""
     with discreet(exercise):

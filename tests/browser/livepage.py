@@ -41,6 +41,8 @@ def served(program: Program, plant: Any = None, lang: str = "en") -> Iterator[tu
         styles=styles("player.css", "bench.css", "live.css"), script=script("live.js"), cast=cast, lang=lang
     )
 
+    in_turn = threading.Lock()  # a kernel answers one message after the other
+
     class Handler(BaseHTTPRequestHandler):
         def log_message(self, *words: object) -> None:
             del words
@@ -57,7 +59,9 @@ def served(program: Program, plant: Any = None, lang: str = "en") -> Iterator[tu
 
         def do_POST(self) -> None:
             asked = json.loads(self.rfile.read(int(self.headers["Content-Length"])))
-            self.answer("application/json", json.dumps(session.answer(asked)))
+            with in_turn:
+                said = json.dumps(session.answer(asked))
+            self.answer("application/json", said)
 
     server = ThreadingHTTPServer(("127.0.0.1", 0), Handler)
     thread = threading.Thread(target=server.serve_forever, daemon=True)

@@ -199,7 +199,7 @@ def test_a_wrong_answer_is_shown_on_the_inputs_that_tell_it_apart(chromium: Brow
     page.wait_for_selector(".plc-player", timeout=10_000)
     page.locator(".plc-player").first.focus()
     page.keyboard.press("End")
-    assert "Q0.0 := 0" in page.locator(".plc-player").inner_text()
+    assert "Q0.0 := 0" in page.locator(".plc-player").first.inner_text()
     assert axe(page, ".plc-root") == []
     page.locator(".plc-editor .cm-content").first.click()
     page.keyboard.press("Control+a")

@@ -108,9 +108,9 @@ def test_of_several_ideas_behind_a_finding_those_count_that_the_exercise_is_abou
     assert believed(judge(replace(TASK, misconceptions=(12,)), answer)) == (12,)
 
 
-@pytest.mark.parametrize("name", ids())
+@pytest.mark.parametrize("name", ids()[::7])
 def test_the_repairs_of_bundled_wrong_samples_are_accepted(name: str) -> None:
-    """One sample of each exercise; a repaired list is judged as any answer is."""
+    """One sample of every seventh exercise; a mended list is judged as any answer is."""
     task = exercise(name)
     if not task.wrong:
         return

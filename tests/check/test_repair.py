@@ -189,8 +189,14 @@ def test_a_heading_that_parts_what_belongs_together() -> None:
     wrong = read("Network 1\nLD I0.0\nNetwork 2\nA I0.1\n= Q0.0", "s7-200")
     found = repair(right, wrong)
     assert found is not None
-    assert found.kind in {"heading", "start"}
     assert verdict_on(right, read(found.text, "s7-200"), Terms()).status == "equal"
+    wrong = read("Network 1\nLD I0.0\nLPS\n= Q0.0\nNetwork 2 two\nLPP\nA I0.1\n= Q0.1", "s7-200")
+    right = read("LD I0.0\nLPS\n= Q0.0\nLPP\nA I0.1\n= Q0.1", "s7-200")
+    found = repair(right, wrong)
+    assert found is not None
+    assert found.kind == "heading"
+    assert found.stages()[0].en.startswith("Look just above row 6")
+    assert [line.text for line in read(found.text, "s7-200").lines] == [line.text for line in right.lines]
 
 
 def test_what_is_right_or_unreadable_or_too_far_away_gets_no_repair(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -138,7 +138,7 @@ def test_nothing_stood_on_stderr_under_warnings_as_errors(course, name: str) -> 
 
 
 def test_the_counterexample_stands_in_the_feedback_and_the_marks_in_the_export(course, marks) -> None:
-    call(course, "nbgrader", "generate_feedback", "ps1")
+    call(course, "nbgrader", "generate_feedback", "ps1", "--student", "bob")
     page = (course / "feedback" / "bob" / "ps1" / "stack.html").read_text(encoding="utf-8")
     assert "Q0.0 should be 1" in page
     call(course, "nbgrader", "export")

@@ -1,4 +1,4 @@
-"""The example assignment under otter-grader itself: assigned, and run on a right, a partly right and an empty answer."""
+"""The example assignment under otter-grader itself: assigned, and run on a right and a partly right answer."""
 
 from __future__ import annotations
 
@@ -20,7 +20,6 @@ from schoolroom import BRANCHES, COURSE, RIGHT, WRONG, call, filled
 ANSWERS = {
     "alice": ({"program": RIGHT, "branch": BRANCHES}, {"blocks": 4, "branch": 4}),
     "bob": ({"program": WRONG, "branch": BRANCHES.replace("I0.3", "I0.4")}, {"blocks": 0, "branch": 1.33}),
-    "carol": ({}, {"blocks": 0, "branch": 0}),
 }
 
 

@@ -54,7 +54,7 @@ def test_what_was_typed_comes_back_in_a_new_desk(kept: Path) -> None:
     desk.check()
     desk.hint()
     again = json.loads(ExerciseDesk(TASK).kept)
-    assert (again["attempts"], again["best"], again["hints"]) == (1, 0.0, 0)
+    assert (again["attempts"], again["best"], again["hints"]) == (1, 0.0, 1)
 
 
 def test_a_text_that_the_lesson_gives_counts_until_it_has_been_worked_on() -> None:

@@ -8,12 +8,12 @@ from __future__ import annotations
 from keyword import iskeyword
 from typing import TYPE_CHECKING, Any
 
+from plcteach.check.drill import task_of as find_exercise
 from plcteach.check.lint import Findings, lint
 from plcteach.core.errors import NotRepresentableError, PlcTeachError, UnknownNameError
 from plcteach.core.text import Text, language
 from plcteach.dialects import dialect as find_dialect
 from plcteach.dialects import names
-from plcteach.exercises import exercise as find_exercise
 from plcteach.ladder.either import read_either
 
 if TYPE_CHECKING:

@@ -129,8 +129,10 @@ class Walker:
 
     def _rest(self, ends: list[int], inputs: Sequence[int], moved: list[int]) -> tuple[list[int], int, int]:
         """Scan until nothing changes; note in which cases that never happens, and in which program."""
+        fair = self.every
         for _ in range(MOST_SETTLING_SCANS):
-            after, (bad, fair) = self._scan(ends, inputs)
+            after, (bad, fairly) = self._scan(ends, inputs)
+            fair &= fairly
             if after == ends:
                 return after, bad, fair
             before, ends = ends, after

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import lru_cache
 from typing import TYPE_CHECKING
 
 from plcteach.check.rules.registry import STACK_RULES, finds
@@ -11,12 +12,13 @@ from plcteach.core.effect import Both, Effect, Name, names
 from plcteach.core.text import NOTHING, Text
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Iterator, Sequence
 
     from plcteach.core.diagnostic import Diagnostic, Rule
     from plcteach.core.effect import Formula
     from plcteach.core.insn import Insn
     from plcteach.core.program import Line
+    from plcteach.core.spec import Dialect
     from plcteach.machine.walk import Move, Walk
 
 _WRITES = {"coil", "set", "reset", "work", "shift", "drive", "pin"}
@@ -94,6 +96,12 @@ def _result(effect: Effect) -> Formula | None:
 
 def single_contact(walk: Walk, load: Insn, sign: str) -> str | None:
     """Give the instruction that does a load (or an opening parenthesis) and its join in one, found by its effect."""
+    return _in_one(walk.dialect, load.mnemonic, sign)
+
+
+@lru_cache(maxsize=2048)
+def _in_one(dialect: Dialect, mnemonic: str, sign: str) -> str | None:
+    load = dialect.words[mnemonic]
     top = load.effect.clauses[0].gives[-1:]
     taken = {take.name for clause in load.effect.clauses for take in clause.takes}
     if not load.operands or load.then or not top or names(top[0].formula) & taken:
@@ -101,7 +109,7 @@ def single_contact(walk: Walk, load: Insn, sign: str) -> str | None:
     if load.close is None and len(load.effect.clauses[0].gives) != len(load.effect.clauses[0].takes) + 1:
         return None
     kinds = tuple(operand.kind for operand in load.operands)
-    for row in walk.dialect.insns:
+    for row in dialect.insns:
         if row.then or tuple(one.kind for one in row.operands) != kinds:
             continue
         match _result(row.effect):
@@ -113,21 +121,23 @@ def single_contact(walk: Walk, load: Insn, sign: str) -> str | None:
 @finds("STY002", STACK_RULES)
 def push_not_needed(walk: Walk, row: Rule) -> Iterator[Diagnostic]:
     """Between a push and its pop, and behind that, there are outputs only."""
+    fetches = [number for number, move in enumerate(walk.moves) if move.role in {"read", "pop"}]
     for number, move in enumerate(walk.moves):
-        pop = _bare_pop(walk.moves[number + 1 :]) if move.role == "push" else None
-        if pop:
-            there = Note(pop.line.span, Text("到这里为止，栈顶没有变过", "up to here the top has not changed"))
-            yield replace(row.at(move.line.span, push=move.line.text, pop=pop.line.text), notes=(there,))
+        pop = _after_outputs(walk.moves, number + 1) if move.role == "push" else number
+        if pop > number + 1 and walk.moves[pop:] and walk.moves[pop].role == "pop" and pop == fetches[-1]:
+            end = _after_outputs(walk.moves, pop + 1)
+            if end > pop + 1 and not (walk.moves[end:] and _works_with(walk.moves[end])):
+                line = walk.moves[pop].line
+                there = Note(line.span, Text("到这里为止，栈顶没有变过", "up to here the top has not changed"))
+                yield replace(row.at(move.line.span, push=move.line.text, pop=line.text), notes=(there,))
 
 
-def _bare_pop(behind: tuple[Move, ...]) -> Move | None:
-    """Give the pop of a push, if only outputs stand before and behind it up to where something new is loaded."""
-    at = next((at for at, move in enumerate(behind) if not _leaves(move)), 0)
-    after = behind[at + 1 :]
-    end = next((one for one, move in enumerate(after) if not _leaves(move)), len(after))
-    loads = end == len(after) or not _works_with(after[end])
-    another = any(move.role in {"read", "pop"} for move in after)
-    return behind[at] if at and behind[at].role == "pop" and end and loads and not another else None
+def _after_outputs(moves: Sequence[Move], start: int) -> int:
+    """Give the first line from one on that is no output and no look at the branch point."""
+    number = start
+    while number < len(moves) and _leaves(moves[number]):
+        number += 1
+    return number
 
 
 def _works_with(move: Move) -> set[str]:

@@ -170,6 +170,13 @@ def test_inputs_that_change_one_at_a_time_hide_what_needs_two() -> None:
     assert judged(both, nothing, level="exact", single_change=True) == "equal"
 
 
+def test_one_input_at_a_time_holds_at_rest_too() -> None:
+    one = "LD I0.0; EU; A I0.1; S Q0.0, 1; LDN I0.1; R Q0.0, 1"
+    other = "LDN I0.1; R Q0.0, 1; LD I0.0; EU; A I0.1; A M0.0; S Q0.0, 1; LD I0.1; = M0.0"
+    assert judged(one, other, level="settled") == "different"
+    assert judged(one, other, level="settled", single_change=True) == "equal"
+
+
 def test_what_does_not_matter_is_not_compared() -> None:
     assert judged("LD I0.0; = Q0.0", "LD I0.0; O I0.7; = Q0.0") == "different"
     assert judged("LD I0.0; = Q0.0", "LD I0.0; O I0.7; = Q0.0", dont_care={"Q0.0": "I0.7"}) == "equal"
