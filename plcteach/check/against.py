@@ -7,7 +7,7 @@ from functools import lru_cache
 from typing import TYPE_CHECKING
 
 from plcteach.check.lint import lint
-from plcteach.check.same import compare
+from plcteach.check.same import compare, outputs_of
 from plcteach.core.diagnostic import errors
 from plcteach.core.errors import PlcTeachError
 from plcteach.core.exercise import Terms
@@ -44,7 +44,7 @@ def reference(text: str, dialect: str | Dialect) -> Program:
     if wrong:
         msg = f"the reference has an error itself: {wrong[0]}"
         raise PlcTeachError(msg)
-    if not any(line.insn.then and line.bits for line in program.lines):
+    if not outputs_of(program):
         msg = "the reference writes no output, so there is nothing to compare"
         raise PlcTeachError(msg)
     return program

@@ -131,9 +131,10 @@ def _search(theirs: _Side, own: _Side, address: str, seen: set[str]) -> tuple[in
         found = _search(theirs, own, bit, seen)
         if found:
             return found
-        writer, others = own.wrote[bit][-1], {theirs.lines[one].text for one in theirs.wrote[bit]}
-        if own.lines[writer].text not in others:
-            return writer, theirs.wrote[bit][-1], bit
+        writer, others = own.lines[own.wrote[bit][-1]], theirs.wrote[bit]
+        if writer.text not in {theirs.lines[one].text for one in others}:
+            alike = [one for one in others if theirs.lines[one].insn.word == writer.insn.word]
+            return own.wrote[bit][-1], alike[-1] if alike else None, bit
     return None
 
 
@@ -147,8 +148,12 @@ def _known(theirs: _Side, ends: Iterable[int], own: _Side) -> set[int]:
     """Give all values that lead to an address in the reference, and each contact that the learner may use to get there."""
     known: set[int] = set()
     for end in ends:
-        for node in _nodes([*theirs.taken(end), *(theirs.top(number) for number in theirs.rung(end)[:-1])]):
-            known.update(_prints(node))
+        nodes = _nodes([*theirs.taken(end), *(theirs.top(number) for number in theirs.rung(end)[:-1])])
+        closed = {id(one.parts[0]) for one in nodes if one.op == "/"}
+        open_too = {id(part) for one in nodes if one.op != "/" for part in one.parts} | {id(one) for one in theirs.taken(end)}
+        for node in nodes:
+            if id(node) not in closed or id(node) in open_too:
+                known.update(_prints(node))
     if known:
         known.update(_tosses(address) for address in own.wrote if address not in theirs.wrote)
     return known

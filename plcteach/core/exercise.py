@@ -55,9 +55,9 @@ class Need:
 
 @dataclass(frozen=True, slots=True)
 class WrongSample:
-    """An answer that must be refused: with this diagnostic's code, or as "different"; and what its writer believed.
+    """An answer that must not get full marks: with this diagnostic's code, as "different", or as "equal" where a need is not met.
 
-    misconception: the number of that belief in the table of usual wrong ideas; 0 is none of them.
+    because: what its writer believed.      misconception: the number of that belief in the table of usual wrong ideas; 0 is none of them.
     """
 
     program: str

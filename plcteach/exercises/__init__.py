@@ -173,7 +173,8 @@ def _wrong_one(sample: dict[str, Any]) -> WrongSample:
     return WrongSample(_answer(sample), expect, because, int(sample.get("misconception", 0)))
 
 
-_VERDICTS = ("different", "unsettled", "unknown")
+_VERDICTS = ("different", "unsettled", "unknown", "equal")
+"""What a wrong sample may be promised beside a diagnostic; "equal": it does the right thing, but a need is not met."""
 _NEEDS = ("most", "uses", "avoids", "contact", "edits")
 
 

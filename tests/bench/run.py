@@ -12,6 +12,7 @@ lanes      a thousand timelines side by side against one after the other
 memory     ten minutes of virtual time at 10 ms scans: how long it takes and how much it keeps
 live       the live bench: scans and pictures a second, from the button to the lamp, ten minutes without growth
 proofs     verdicts: the exercises' samples, more and more inputs beside pyrung where it is installed, what makes a proof dear
+grading    1,000 distinct submissions as `plcteach grade` takes them: one process, all cores, again, and the files
 ladders    lifting, lowering and drawing 500 rungs, and how the cost grows with rungs and with nesting
 """
 
@@ -548,8 +549,13 @@ def proofs() -> None:
     import_module("proofs").main(show)
 
 
+def grading() -> None:
+    """Grade 1,000 distinct submissions of an exercise, as for a school."""
+    import_module("grading").grading(show)
+
+
 BENCHMARKS = {
-    one.__name__: one for one in (step, traced, imports, columns, hostile, scans, growth, lanes, memory, live, ladders, proofs)
+    one.__name__: one for one in (step, traced, imports, columns, hostile, scans, growth, lanes, memory, live, ladders, proofs, grading)
 }
 
 if __name__ == "__main__":

@@ -98,7 +98,7 @@ def test_events_set_inputs_of_the_program_and_nothing_else() -> None:
     assert (told["bits"]["I0.0"], told["bits"]["Q0.0"], told["bits"]["Q0.1"]) == ("1", "1", "0")
     told = answer(session, type="run", scans=1, events=[["I0.0", None]])
     assert told["bits"]["I0.0"] == "0"
-    assert answer(session, type="timeline")["text"] == "I0.0: 20ms on, 10ms off\n"
+    assert answer(session, type="timeline")["text"] == "I0.0: 20ms on, 10ms off\n= Q0.0: 30ms on\n= Q0.1: 30ms off\n"
 
 
 def test_a_frozen_scan_is_a_film_and_a_warm_start_keeps_what_is_retentive() -> None:
