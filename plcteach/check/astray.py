@@ -134,6 +134,7 @@ def _search(theirs: _Side, own: _Side, address: str, seen: set[str]) -> tuple[in
         writer, others = own.lines[own.wrote[bit][-1]], theirs.wrote[bit]
         if writer.text not in {theirs.lines[one].text for one in others}:
             alike = [one for one in others if theirs.lines[one].insn.word == writer.insn.word]
+            alike = alike or [one for one in others if any(target.text == bit for _, target in theirs.lines[one].targets)]
             return own.wrote[bit][-1], alike[-1] if alike else None, bit
     return None
 

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from plcteach.check.lint import lint
 from plcteach.core.diagnostic import RULES, Rule, rule
 from plcteach.core.errors import UnknownNameError
+from plcteach.core.misconception import misconception
 from plcteach.core.text import Text, language
 from plcteach.dialects import dialect as find_dialect
 from plcteach.dialects import families
@@ -24,6 +25,8 @@ _BAD = Text("这样会触发它", "This triggers it")
 _GOOD = Text("这样就没有问题", "This does not")
 _SAID = Text("提示", "It says")
 _WHY = Text("为什么", "Why")
+_IDEA = Text("常见的误解", "A usual wrong idea")
+_LESSON = Text("见第{number}课。", "Lesson {number} is about it.")
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,6 +45,9 @@ class RulePage:
     def text(self, lang: str) -> str:
         """Give the page as lines of text."""
         rows = [f"{self.rule.code}  {self.rule.name}", "", f"{_WHY.in_(lang)}: {self.rule.why.in_(lang)}"]
+        ideas = [misconception(number) for number in self.rule.misconceptions]
+        rows += [f"{_IDEA.in_(lang)} ({one.number}): {one.thinks.in_(lang)} {one.fact.in_(lang)}" for one in ideas]
+        rows += [_LESSON.format(number=self.rule.lesson).in_(lang)] if self.rule.lesson >= 0 else []
         for dialect, sample in self.samples:
             said = next(
                 one for one in lint(read(sample.bad.replace("; ", "\n"), dialect)) if one.code == self.rule.code

@@ -118,6 +118,8 @@ class _Search:
         rows: list[Mapping[str, Any]] = [*example.inputs[: example.scan + 1]]
         if self.terms.level != "exact":
             rows += [{"ms": 0}] * _HELD
+        if len(rows) * max(len(program.lines), len(self.reference.lines)) > MOST_WORK // 4:
+            return
         replay = _Replay(rows, example.address, self.at_end(self.reference, rows, example.address))
         if self.at_end(program, rows, example.address) != replay.wanted:
             self.known.append(replay)

@@ -21,9 +21,10 @@ if TYPE_CHECKING:
 
 @cache
 def _bundled(folder: str = "") -> dict[str, Exercise]:
+    here = files(__package__)
     found = [
         parse(entry.read_text(encoding="utf-8"), entry.name.removesuffix(".toml"))
-        for entry in files(__package__).joinpath(folder).iterdir()
+        for entry in (here / folder if folder else here).iterdir()
         if entry.name.endswith(".toml")
     ]
     return {one.id: one for one in sorted(found, key=lambda one: (one.order, one.id))}

@@ -153,7 +153,7 @@ def test_what_neza_does_not_take(text: str, wanted: tuple[str, str, int]) -> Non
 
 
 def test_eight_of_each_fit() -> None:
-    assert said(DEEP + "/AND( %I0.1" * 8 + "/)" * 8 + "/ST %Q0.0", "neza") == []
+    assert said(DEEP + "/AND( %I0.1/OR %I0.2" * 8 + "/)" * 8 + "/ST %Q0.0", "neza") == []
     assert (
         said(
             DEEP + "/MPS" * 8 + "/AND %I0.1/ST %Q1.0" + "".join(f"/MPP/ANDN %I0.1/ST %Q0.{one}" for one in range(8)),

@@ -53,17 +53,30 @@ def model_of(graph: Graph, gate: Gate, *, rows: int = FEW_ROWS, nodes: int = MOS
 
 def simplest(cases: int) -> int:
     """Give the case with the fewest inputs on, the first of those; -1 where there is none."""
-    best, at = -1, 0
-    while cases:
-        skip = (cases & -cases).bit_length() - 1
-        at += skip
-        if best < 0 or at.bit_count() < best.bit_count():
-            best = at
-        if best.bit_count() <= 1:
-            return best
-        cases >>= skip + 1
-        at += 1
-    return best
+    size = max(cases.bit_length() - 1, 0).bit_length()
+    return _least(cases, size, size)[1]
+
+
+_NONE = (1 << 30, -1)
+_SMALL = 6
+
+
+def _least(cases: int, size: int, most: int) -> tuple[int, int]:
+    """Give how many inputs are on in the simplest of some cases over so many inputs, and the case, where they are not too many.
+
+    The cases with the last input off come first; those with it on need one more, so they are looked at only where that pays.
+    """
+    if not cases or most < 0:
+        return _NONE
+    if cases & 1:
+        return 0, 0
+    if size <= _SMALL:
+        found = min((case.bit_count(), case) for case in range(1 << size) if cases >> case & 1)
+        return found if found[0] <= most else _NONE
+    half = 1 << size - 1
+    best = _least(cases & (1 << half) - 1, size - 1, most)
+    weight, case = _least(cases >> half, size - 1, min(most, best[0] - 1) - 1)
+    return (weight + 1, case + half) if case >= 0 else best
 
 
 def _simple(how: int, low: int, high: int) -> int | None:

@@ -13,7 +13,7 @@ from plcteach.check import same
 from plcteach.check.proof import circuit, product, trial, walk
 from plcteach.check.proof.induction import always_equal
 from plcteach.check.proof.search import breadth_first, fewest
-from plcteach.check.proof.table import TooLarge, model_of, patterns
+from plcteach.check.proof.table import TooLarge, model_of, patterns, simplest
 from plcteach.check.proof.walk import Budget, Walker
 from plcteach.core.exercise import Terms
 from plcteach.machine import run
@@ -285,3 +285,10 @@ def test_a_broken_engine_is_caught(broken: Any) -> None:
     with pytest.MonkeyPatch.context() as patch:
         broken(patch)
         assert verdicts() != RIGHT
+
+
+@settings(max_examples=100, deadline=None)
+@given(cases=st.sets(st.integers(0, 1 << 9), max_size=20))
+def test_the_simplest_case_has_the_fewest_inputs_on(cases: set[int]) -> None:
+    found = simplest(sum(1 << case for case in cases))
+    assert found == min(cases, key=lambda case: (case.bit_count(), case), default=-1)
