@@ -192,7 +192,7 @@ A I0.1
 '''
 
 
-def tested(capsys, *words: str) -> tuple[int, dict[str, list[dict[str, str]]]]:
+def outcome(capsys, *words: str) -> tuple[int, dict[str, list[dict[str, str]]]]:
     code = main(["exercise", "test", *words, "--json", "--lang", "en"])
     said = capsys.readouterr()
     assert said.err == ""
@@ -202,7 +202,7 @@ def tested(capsys, *words: str) -> tuple[int, dict[str, list[dict[str, str]]]]:
 def test_a_sound_file_is_proved_with_advice(tmp_path, capsys) -> None:
     path = tmp_path / "sound.toml"
     path.write_text(SOUND, encoding="utf-8")
-    code, found = tested(capsys, str(path))
+    code, found = outcome(capsys, str(path))
     assert code == 0
     notes = [one["what"] for one in found["sound"] if one["state"] == "note"]
     assert notes == ["right samples", "wrong samples"]
@@ -214,7 +214,7 @@ def test_a_file_that_is_spoiled_is_found(tmp_path, capsys, name: str) -> None:
     assert old in SOUND
     path = tmp_path / "spoiled.toml"
     path.write_text(SOUND.replace(old, new, 1), encoding="utf-8")
-    code, found = tested(capsys, str(path))
+    code, found = outcome(capsys, str(path))
     assert code == 1
     assert what in {one["what"] for one in found["spoiled"] if one["state"] == "failed"}, found
     assert main(["exercise", "test", str(path)]) == 1
@@ -224,17 +224,17 @@ def test_a_file_that_is_spoiled_is_found(tmp_path, capsys, name: str) -> None:
 def test_a_folder_of_files_is_proved_one_by_one(tmp_path, capsys) -> None:
     (tmp_path / "good.toml").write_text(SOUND, encoding="utf-8")
     (tmp_path / "bad.toml").write_text(SOUND.replace("A I0.1", "O I0.1", 1), encoding="utf-8")
-    code, found = tested(capsys, str(tmp_path))
+    code, found = outcome(capsys, str(tmp_path))
     assert (code, sorted(found)) == (1, ["bad", "good"])
     (tmp_path / "bad.toml").unlink()
     (tmp_path / "next.toml").write_text(SOUND.replace("order = 5", 'order = 6\nafter = ["good"]'), encoding="utf-8")
-    assert tested(capsys, str(tmp_path))[0] == 0
+    assert outcome(capsys, str(tmp_path))[0] == 0
     assert main(["exercise", "test", str(tmp_path)]) == 0
     assert "2 of 2 exercises are proved" in capsys.readouterr().out
 
 
 def test_bundled_ones_and_drills_are_proved_by_their_ids(capsys) -> None:
-    code, found = tested(capsys, "s7-two-blocks", "drill-timers-2-7-fx")
+    code, found = outcome(capsys, "s7-two-blocks", "drill-timers-2-7-fx")
     assert (code, list(found)) == (0, ["s7-two-blocks", "drill-timers-2-7-fx"])
 
 

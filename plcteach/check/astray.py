@@ -134,7 +134,9 @@ def _search(theirs: _Side, own: _Side, address: str, seen: set[str]) -> tuple[in
         writer, others = own.lines[own.wrote[bit][-1]], theirs.wrote[bit]
         if writer.text not in {theirs.lines[one].text for one in others}:
             alike = [one for one in others if theirs.lines[one].insn.word == writer.insn.word]
-            alike = alike or [one for one in others if any(target.text == bit for _, target in theirs.lines[one].targets)]
+            alike = alike or [
+                one for one in others if any(target.text == bit for _, target in theirs.lines[one].targets)
+            ]
             return own.wrote[bit][-1], alike[-1] if alike else None, bit
     return None
 
@@ -151,7 +153,9 @@ def _known(theirs: _Side, ends: Iterable[int], own: _Side) -> set[int]:
     for end in ends:
         nodes = _nodes([*theirs.taken(end), *(theirs.top(number) for number in theirs.rung(end)[:-1])])
         closed = {id(one.parts[0]) for one in nodes if one.op == "/"}
-        open_too = {id(part) for one in nodes if one.op != "/" for part in one.parts} | {id(one) for one in theirs.taken(end)}
+        open_too = {id(part) for one in nodes if one.op != "/" for part in one.parts} | {
+            id(one) for one in theirs.taken(end)
+        }
         for node in nodes:
             if id(node) not in closed or id(node) in open_too:
                 known.update(_prints(node))
@@ -202,11 +206,15 @@ _thrown: WeakKeyDictionary[Term, int] = WeakKeyDictionary()
 
 def _print(term: Term) -> int:
     """Give the row of tosses that a formula makes of those of its addresses: equal for equal functions."""
-    if term not in _thrown:
-        for one in _nodes([term]):
-            if one not in _thrown:
-                _thrown[one] = _value(one, [_thrown.get(part, 0) for part in one.parts])
-    return _thrown.get(term, 0)
+    waiting = [term]
+    while waiting:
+        one = waiting[-1]
+        unknown = [part for part in one.parts if part not in _thrown]
+        if not unknown:
+            _thrown[one] = _value(one, [_thrown[part] for part in one.parts])
+            waiting.pop()
+        waiting += unknown
+    return _thrown[term]
 
 
 def _value(term: Term, parts: list[int]) -> int:

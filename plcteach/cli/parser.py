@@ -191,17 +191,7 @@ def _exercise_verbs(verbs: Any, common: argparse.ArgumentParser, reading: argpar
     one.add_argument("what", metavar="ID", help="a bundled exercise, a drill (drill-blocks-2-7-…), or a .toml file")
 
     one = _verb(some, "new", exercises.new_verb, [reading], "write an exercise file from a ladder drawing or a list")
-    one.add_argument("file", help="a ladder drawing, a list or a PLCopen file; - for standard input")
-    one.add_argument(
-        "--kind",
-        choices=["write", "complete", "bug", "order", "predict", "join", "match", "chart"],
-        default="write",
-        help="what the learner is asked to do (default: write the list)",
-    )
-    one.add_argument(
-        "-o", "--output", type=Path, metavar="FILE.toml", help="where to write it (default: standard output)"
-    )
-    one.add_argument("--force", action="store_true", help="write over a file that is there already")
+    _new_options(one)
 
     one = _verb(
         some,
@@ -212,6 +202,20 @@ def _exercise_verbs(verbs: Any, common: argparse.ArgumentParser, reading: argpar
     )
     one.add_argument("what", nargs="*", metavar="FILE", help="files, folders or ids (default: all bundled exercises)")
     one.add_argument("--json", **json)
+
+
+def _new_options(one: argparse.ArgumentParser) -> None:
+    """Declare what may be said of an exercise that is written."""
+    one.add_argument("file", help="a ladder drawing, a list or a PLCopen file; - for standard input")
+    one.add_argument(
+        "--kind",
+        choices=["write", "complete", "bug", "order", "predict", "join", "match", "chart"],
+        default="write",
+        help="what the learner is asked to do (default: write the list)",
+    )
+    where = "where to write it (default: standard output)"
+    one.add_argument("-o", "--output", type=Path, metavar="FILE.toml", help=where)
+    one.add_argument("--force", action="store_true", help="write over a file that is there already")
 
 
 def _count(word: str) -> int:

@@ -3,5 +3,6 @@
 from plcteach.widgets.bench import Workbench
 from plcteach.widgets.desk import ExerciseDesk
 from plcteach.widgets.player import StackPlayer
+from plcteach.widgets.quiz import ConceptTest
 
-__all__ = ["ExerciseDesk", "StackPlayer", "Workbench"]
+__all__ = ["ConceptTest", "ExerciseDesk", "StackPlayer", "Workbench"]

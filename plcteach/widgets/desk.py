@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import traitlets
 
+from plcteach.check.discreet import discreet
 from plcteach.check.drill import task_of as find_exercise
 from plcteach.check.judge import Judgement, judge, model
 from plcteach.check.lint import lint
@@ -17,7 +18,7 @@ from plcteach.stl import read
 from plcteach.widgets.answered import Hints, marks_of, verdict_of
 from plcteach.widgets.bench import as_json
 from plcteach.widgets.keeping import Notes, Record, hinted, modelled, tried, typed
-from plcteach.widgets.material import discreet, sheet_of, still_of, task_of
+from plcteach.widgets.material import sheet_of, still_of, task_of
 from plcteach.widgets.replay import Replay, given_run, wrong_run
 from plcteach.widgets.show import Shown, module, styles
 

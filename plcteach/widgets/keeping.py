@@ -217,10 +217,24 @@ def _put(path: Path, table: Table) -> None:
     new = where.with_name(f"{where.name}.{os.getpid()}.new")
     try:
         new.write_text(json.dumps(table, indent=1, sort_keys=True) + "\n", encoding="ascii")
-        new.replace(where)
+        _into_place(new, where)
     finally:
         with suppress(OSError):
             new.unlink(missing_ok=True)
+
+
+def _into_place(new: Path, where: Path) -> None:
+    """Put a file in the place of another; where a reader keeps it from going (Windows), try again for a moment."""
+    until = time.monotonic() + _PATIENCE / 4
+    while True:
+        try:
+            new.replace(where)
+        except PermissionError:
+            if time.monotonic() > until:
+                raise
+            time.sleep(_NAP)
+        else:
+            return
 
 
 @contextmanager

@@ -21,6 +21,8 @@ if TYPE_CHECKING:
 _BOTH = ("zh", "en")
 _LOOKED_AT = {"translate", "match", "chart"}
 """The kinds whose program stands beside the answer, and neither in it nor in its rows."""
+
+
 def sheet_of(exercise: Exercise) -> Sheet:
     """Give what an exercise shows before it is answered."""
     with discreet(exercise):

@@ -39,6 +39,8 @@ _HEADS = (
     Text("先做", "after"),
 )
 _SUMMARY = Text("满分{full}道，做过{begun}道，共{all}道", "{full} with full marks, {begun} begun, {all} in all")
+_TEST = Text("概念测验：课前{before}", "Concept test: before the course {before}")
+_TESTS = Text("概念测验：课前{before}，课后{after}", "Concept test: before the course {before}, after it {after}")
 _EARLIER = Text("（不在这里的题）", "(not among these)")
 _ENOUGH = 1e-9
 
@@ -68,7 +70,7 @@ class Progress:
     """The exercises with what is kept of them; a table in a notebook, rows of text elsewhere."""
 
     rows: tuple[Row, ...]
-    trouble: Text | None = None
+    besides: tuple[Text, ...] = ()
 
     @property
     def summary(self) -> Text:
@@ -96,9 +98,7 @@ class Progress:
         )
 
     def _said(self, lang: str) -> Iterator[str]:
-        yield self.summary.in_(lang)
-        if self.trouble:
-            yield self.trouble.in_(lang)
+        yield from (one.in_(lang) for one in (self.summary, *self.besides))
 
     @staticmethod
     def _cell(words: str) -> str:
@@ -131,4 +131,20 @@ def progress(dialect: str | Dialect | None = None) -> Progress:
     if not wanted:
         here = {one.id for one in known}
         rows += [Row(name, record) for name, record in sorted(records.items()) if name not in here]
-    return Progress(tuple(rows), notes.trouble)
+    besides = [*_tests(notes), *([notes.trouble] if notes.trouble else [])]
+    return Progress(tuple(rows), tuple(besides))
+
+
+def _tests(notes: Notes) -> Iterator[Text]:
+    """Say how many answers of the concept test were right, before the course and after it."""
+    test = notes.test("concept")
+    rights = {
+        phase: row.get("right") for phase, row in test.items() if isinstance(row, dict) and row.get("done") is True
+    }
+    counts = {
+        phase: f"{sum(value is True for value in right.values())} / {len(right)}"
+        for phase, right in rights.items()
+        if isinstance(right, dict)
+    }
+    if "before" in counts:
+        yield (_TESTS if "after" in counts else _TEST).format(**counts)

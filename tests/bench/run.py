@@ -555,7 +555,8 @@ def grading() -> None:
 
 
 BENCHMARKS = {
-    one.__name__: one for one in (step, traced, imports, columns, hostile, scans, growth, lanes, memory, live, ladders, proofs, grading)
+    one.__name__: one
+    for one in (step, traced, imports, columns, hostile, scans, growth, lanes, memory, live, ladders, proofs, grading)
 }
 
 if __name__ == "__main__":

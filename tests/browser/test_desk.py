@@ -21,14 +21,15 @@ if TYPE_CHECKING:
 WRONG, RIGHT = "LD X0\nANI X1\nOUT Y0\n", "LD X0\nOR Y0\nANI X1\nOUT Y0\n"
 KERNEL = "window.jupyterapp.shell.currentWidget.sessionContext.session.kernel"
 EDITOR = ".plc-editor .cm-content"
-FIRST = {kind: next(name for name in ids() if exercise(name).kind == kind) for kind in ("order", "predict", "join", "match", "chart")}
+FIRST = {
+    kind: next(name for name in ids() if exercise(name).kind == kind)
+    for kind in ("order", "predict", "join", "match", "chart")
+}
 
 
 def notebook(folder: Path, name: str, *cells: str, lang: str = "en") -> str:
     book = nbformat.v4.new_notebook()
-    book.cells = [
-        nbformat.v4.new_code_cell(one) for one in (f"import plcteach as plc\nplc.language('{lang}')", *cells)
-    ]
+    book.cells = [nbformat.v4.new_code_cell(one) for one in (f"import plcteach as plc\nplc.language('{lang}')", *cells)]
     book.metadata = {"kernelspec": {"name": "python3", "display_name": "Python 3", "language": "python"}}
     (folder / "desks").mkdir(exist_ok=True)
     nbformat.write(book, folder / "desks" / name)
@@ -37,7 +38,9 @@ def notebook(folder: Path, name: str, *cells: str, lang: str = "en") -> str:
 
 def opened(chromium: Browser, lab: tuple[str, Path], name: str, cell: str, **options: object) -> Page:
     address, folder = lab
-    page = open_notebook(chromium, address, notebook(folder, name, cell, lang=str(options.pop("lang", "en"))), **options)
+    page = open_notebook(
+        chromium, address, notebook(folder, name, cell, lang=str(options.pop("lang", "en"))), **options
+    )
     run_all(page)
     page.wait_for_selector(".plc-desk", timeout=60_000)
     page.wait_for_timeout(800)
@@ -59,7 +62,9 @@ def press(page: Page, name: str) -> None:
 
 def told(page: Page, words: str) -> None:
     page.wait_for_function(
-        "words => document.querySelector('.plc-verdict-headline')?.textContent.includes(words)", arg=words, timeout=15_000
+        "words => document.querySelector('.plc-verdict-headline')?.textContent.includes(words)",
+        arg=words,
+        timeout=15_000,
     )
 
 
@@ -189,12 +194,17 @@ def test_every_form_takes_an_answer_from_the_keyboard_and_keeps_it(
     page.close()
 
 
-def test_lines_are_dragged_out_of_the_tray_and_back(chromium: Browser, lab: tuple[str, Path], kept: Path) -> None:
+@pytest.mark.usefixtures("kept")
+def test_lines_are_dragged_out_of_the_tray_and_back(chromium: Browser, lab: tuple[str, Path]) -> None:
     page = opened(chromium, lab, "drag.ipynb", f"plc.desk('{FIRST['order']}')")
     lines = [page.locator(".plc-tray .plc-line-text").nth(at).inner_text() for at in (0, 1)]
     for at in range(2):
-        page.locator(".plc-tray .plc-line-text").first.drag_to(page.locator(".plc-rows:not(.plc-tray) li").first, target_position={"x": 20, "y": 2})
-        page.wait_for_function("count => document.querySelectorAll('.plc-rows:not(.plc-tray) .plc-line-text').length === count", arg=at + 1)
+        page.locator(".plc-tray .plc-line-text").first.drag_to(
+            page.locator(".plc-rows:not(.plc-tray) li").first, target_position={"x": 20, "y": 2}
+        )
+        page.wait_for_function(
+            "count => document.querySelectorAll('.plc-rows:not(.plc-tray) .plc-line-text').length === count", arg=at + 1
+        )
     used = page.locator(".plc-rows:not(.plc-tray) .plc-line-text")
     assert used.all_inner_texts() == lines[::-1], "each was let go above the first"
     used.first.focus()
@@ -207,18 +217,36 @@ def test_lines_are_dragged_out_of_the_tray_and_back(chromium: Browser, lab: tupl
     page.close()
 
 
+@pytest.mark.usefixtures("kept")
 @pytest.mark.parametrize(("width", "lang"), [(360, "zh"), (1920, "en")])
-def test_a_desk_fits_a_phone_and_a_wide_screen(
-    chromium: Browser, lab: tuple[str, Path], kept: Path, width: int, lang: str
-) -> None:
+def test_a_desk_fits_a_phone_and_a_wide_screen(chromium: Browser, lab: tuple[str, Path], width: int, lang: str) -> None:
     cell = f"display(*map(plc.desk, {[FIRST['predict'], FIRST['order'], FIRST['chart']]}))"
     page = opened(chromium, lab, f"fits-{width}.ipynb", cell, lang=lang, viewport={"width": 1920, "height": 900})
-    page.add_style_tag(content=f".jp-OutputArea-output {{ max-width: {width}px !important; flex: 0 0 {width}px !important; }}")
-    page.wait_for_timeout(300)
-    wide = page.evaluate(
-        "[...document.querySelectorAll('.plc-desk')].map((one) => one.scrollWidth - one.clientWidth)"
+    page.add_style_tag(
+        content=f".jp-OutputArea-output {{ max-width: {width}px !important; flex: 0 0 {width}px !important; }}"
     )
+    page.wait_for_timeout(300)
+    wide = page.evaluate("[...document.querySelectorAll('.plc-desk')].map((one) => one.scrollWidth - one.clientWidth)")
     assert len(wide) == 3
     assert max(wide) <= 1
     assert axe(page, ".plc-desk") == []
+    page.close()
+
+
+def test_the_concept_test_is_taken_twice_and_compared(chromium: Browser, lab: tuple[str, Path], kept: Path) -> None:
+    page = opened(chromium, lab, "quiz.ipynb", "plc.concept_test()")
+    assert axe(page, ".plc-quiz") == []
+    for number in range(2, 13):
+        press(page, "Next")
+        page.wait_for_selector(f".plc-quiz-number[aria-current]:text-is('{number}')", timeout=15_000)
+    words = page.locator(".plc-quiz button").all_inner_texts()
+    assert not {"Check", "First hint", "after each row"} & set(words), "a test tells nothing"
+    press(page, "Finish")
+    page.get_by_role("button", name="Take it again").click(timeout=15_000)
+    page.wait_for_selector("text=after the course", timeout=15_000)
+    press(page, "Finish")
+    page.wait_for_selector(".plc-quiz-table", timeout=15_000)
+    assert page.locator(".plc-quiz-table tbody tr").count() == 12
+    assert axe(page, ".plc-quiz") == []
+    assert json.loads(kept.read_text(encoding="utf-8"))["tests"]["concept"]["after"]["done"] is True
     page.close()

@@ -45,7 +45,9 @@ def found(wanted: str, mine: str, family: str) -> Astray:
         ("LD I0.0 / O I0.1 / = Q0.0", "LD I0.0 / = Q0.0 / LD I0.1 / = Q0.0", 4, "= Q0.0", S7),
     ],
 )  # fmt: skip
-def test_it_points_at_the_row_that_a_teacher_points_at(wanted: str, mine: str, row: int, other: str, family: str) -> None:
+def test_it_points_at_the_row_that_a_teacher_points_at(
+    wanted: str, mine: str, row: int, other: str, family: str
+) -> None:
     one = found(wanted, mine, family)
     assert one.line == row - 1
     assert mine.split(" / ")[row - 1] in one.says.en

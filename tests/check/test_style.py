@@ -149,3 +149,14 @@ def test_a_push_without_its_pop_points_at_the_push() -> None:
     assert "LPP" in one.notes[0].text.en
     (block,) = [found for found in lint(read("LD X0\nLD X1\nOUT Y0", "fx")) if found.code == "STK005"]
     assert block.notes == ()
+
+
+def test_a_second_pop_points_at_the_first_one_which_came_too_early() -> None:
+    """Misconception 9: a pop for every branch."""
+    text = "LD X0\nMPS\nAND X1\nOUT Y0\nMPP\nAND X2\nOUT Y1\nMPP\nAND X3\nOUT Y2"
+    (one,) = lint(read(text, "fx"))
+    assert (one.code, one.span.row, [note.span.row for note in one.notes]) == ("STK003", 8, [5])
+    assert "MRD" in one.notes[0].text.en
+    assert "MRD" in one.notes[0].text.zh
+    (alone,) = lint(read("LD X0\nOUT Y0\nMPP\nOUT Y1", "fx"))
+    assert (alone.code, alone.notes) == ("STK003", ())

@@ -1,19 +1,27 @@
-"""Executes the lessons and writes them in one normal form, so that building twice changes no byte.
+"""Executes the notebooks and writes them in one normal form, so that building twice changes no byte.
+
+The exercise books, and the exercises in the index and at the end of each lesson, are made from the catalogue before that.
 
 python tests/notebooks/build.py            build all notebooks in place
 python tests/notebooks/build.py --check    only say which ones a build would change; exit code 1 if there are any
+Further words name the notebooks to be built, if not all of them are wanted: a part of their path is enough.
 """
 
 from __future__ import annotations
 
+import os
 import sys
+import tempfile
 from pathlib import Path
 from typing import Any
 
 import nbformat
 from nbclient import NotebookClient
 
-FOLDER = Path(__file__).resolve().parents[2] / "notebooks"
+sys.path.insert(0, str(Path(__file__).parent))
+import exercise_books  # noqa: E402 (it stands beside this file)
+
+FOLDER = exercise_books.FOLDER
 WIDGET_VIEW = "application/vnd.jupyter.widget-view+json"
 KERNEL = {"display_name": "Python 3", "language": "python", "name": "python3"}
 _FOLD = "jupyter"
@@ -21,25 +29,23 @@ _SECONDS = 120
 
 
 def notebooks() -> list[Path]:
-    """Give every lesson that is committed, in order of path; the graders' course has its own form and its own tests."""
-    return sorted(
-        path
-        for path in FOLDER.rglob("*.ipynb")
-        if not {".ipynb_checkpoints", "course"} & {*path.relative_to(FOLDER).parts}
-    )
+    """Give every notebook, in order of path; the graders' course has its own form and its own tests."""
+    found = {*FOLDER.rglob("*.ipynb"), *exercise_books.paths()}
+    return sorted(path for path in found if not {".ipynb_checkpoints", "course"} & {*path.relative_to(FOLDER).parts})
 
 
 def executed(path: Path) -> Any:
-    """Run a notebook from the top in a fresh kernel; nothing of a widget's state is kept."""
-    book = nbformat.read(path, 4)
-    NotebookClient(
-        book,
-        timeout=_SECONDS,
-        kernel_name=KERNEL["name"],
-        resources={"metadata": {"path": str(path.parent)}},
-        store_widget_state=False,
-        record_timing=False,
-    ).execute()
+    """Run a notebook from the top in a fresh kernel; nothing of a widget's state and nobody's progress is kept."""
+    book = exercise_books.source(path)
+    with tempfile.TemporaryDirectory() as nobody:
+        NotebookClient(
+            book,
+            timeout=_SECONDS,
+            kernel_name=KERNEL["name"],
+            resources={"metadata": {"path": str(path.parent)}},
+            store_widget_state=False,
+            record_timing=False,
+        ).execute(env={**os.environ, "PLCTEACH_PROGRESS": str(Path(nobody) / "progress.json")})
     return book
 
 
@@ -58,9 +64,12 @@ def normal(book: Any) -> str:
 def main(words: list[str]) -> int:
     """Build, or with --check only compare; give the exit code."""
     changed = []
+    wanted = [word for word in words if word != "--check"]
     for path in notebooks():
+        if wanted and not any(word in path.relative_to(FOLDER).as_posix() for word in wanted):
+            continue
         text = normal(executed(path))
-        if text != path.read_text(encoding="utf-8"):
+        if not path.exists() or text != path.read_text(encoding="utf-8"):
             changed.append(path)
             if "--check" not in words:
                 path.write_text(text, encoding="utf-8", newline="\n")

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import ast
+import html
 import importlib.util
 import json
 import re
@@ -11,7 +13,10 @@ from urllib.parse import unquote
 import nbformat
 import pytest
 
-from plcteach.exercises import exercise, ids
+from plcteach.check.drill import KINDS as DRILLS
+from plcteach.check.drill import from_id
+from plcteach.core.diagnostic import RULES
+from plcteach.exercises import concept_test, exercise, ids
 
 ROOT = Path(__file__).resolve().parents[2]
 FOLDER = ROOT / "notebooks"
@@ -20,6 +25,8 @@ build = importlib.util.module_from_spec(_spec)
 _spec.loader.exec_module(build)
 
 BOOKS = [path.relative_to(FOLDER).as_posix() for path in build.notebooks()]
+MADE = [path.relative_to(FOLDER).as_posix() for path in build.exercise_books.paths()]
+FAMILY_BOOKS = [name for name in MADE if "/exercises-" in name]
 LESSONS = sorted(path.name for path in (FOLDER / "en").glob("[0-9]*.ipynb"))
 EDITIONS = [f"{lang}/{name}" for name in LESSONS for lang in ("en", "zh")]
 FIRST = 'import plcteach as plc\n\nplc.language("{}")'
@@ -33,6 +40,7 @@ SHAPE = {
         "## Summary",
         "## Check yourself",
         "## What to remember",
+        "## Exercises",
         "## Next",
         "## Sources",
         "**A model, not the hardware.**",
@@ -46,6 +54,7 @@ SHAPE = {
         "## 小结",
         "## 自我检查",
         "## 请记住",
+        "## 练习",
         "## 下一",
         "## 资料来源",
         "**这是模型，不是真实的PLC。**",
@@ -221,7 +230,7 @@ def test_the_index_lists_every_lesson_in_both_editions_with_its_title_and_minute
 
 @pytest.mark.parametrize("name", EDITIONS)
 def test_a_lesson_names_its_sources_by_their_files(name):
-    sources = _prose(name).split(SHAPE[name[:2]][8])[1]
+    sources = _prose(name).split(SHAPE[name[:2]][9])[1]
     assert set(re.findall(r"\b\d{3}_[0-9a-f]{16}\.txt", sources)) >= {
         "000_8c35a2fe1b5d9b9b.txt",
         "002_0e43569a3a430994.txt",
@@ -230,16 +239,133 @@ def test_a_lesson_names_its_sources_by_their_files(name):
 
 @pytest.mark.parametrize("name", EDITIONS)
 def test_a_file_is_named_once_and_only_among_the_sources(name):
-    text, sources = _prose(name).split(SHAPE[name[:2]][8])
+    text, sources = _prose(name).split(SHAPE[name[:2]][9])
     assert re.findall(r"\d{3}_[0-9a-f]{16}", text) == []
     named = re.findall(r"\d{3}_[0-9a-f]{16}\.txt", sources)
     assert len(named) == len(set(named))
 
 
-def test_the_index_lists_every_bundled_exercise_in_both_languages():
-    rows = [line for line in _prose("index.ipynb").splitlines() if line.startswith("| ") and "plc.desk(" in line]
-    assert len(rows) == len(ids())
-    for row, name in zip(rows, ids(), strict=True):
-        title = exercise(name).title
-        assert row.startswith(f"| {title.en} · {title.zh} | `{name}` |")
-        assert f'`plc.desk("{name}")`' in row
+DESK = re.compile(r'plc\.desk\("([\w-]+)"\)')
+DRILLED = re.compile(r'plc\.desk\(plc\.drill\("([\w-]+)", seed=\d+, level=\d, dialect="([\w-]+)", ask="(\w+)"\)\)')
+
+
+def _desks(cells):
+    return [found[1] for cell in cells if cell.cell_type == "code" and (found := DESK.fullmatch(cell.source))]
+
+
+def _end(name):
+    """Give the cells of a lesson's exercises."""
+    cells = _read(name).cells
+    head, after = SHAPE[name[:2]][7], SHAPE[name[:2]][8]
+    first = next(number for number, cell in enumerate(cells) if cell.source.startswith(head))
+    last = next(number for number, cell in enumerate(cells) if cell.source.startswith(after))
+    return cells[first:last]
+
+
+@pytest.mark.parametrize("name", EDITIONS)
+def test_a_lesson_ends_with_two_to_four_of_its_exercises_each_with_a_reason(name):
+    cells = _end(name)
+    chosen = _desks(cells)
+    assert 2 <= len(chosen) <= 4
+    assert len(set(chosen)) == len(chosen)
+    assert {exercise(one).lesson for one in chosen} == {int(name[3:5])}
+    for before, cell in zip(cells, cells[1:], strict=False):
+        if found := DESK.fullmatch(cell.source):
+            title, empty, reason = before.source.split("\n")
+            assert title.startswith(f"### {exercise(found[1]).title.in_(name[:2])}")
+            assert empty == ""
+            assert len(re.findall(r"[.。]$", reason)) == 1
+
+
+@pytest.mark.parametrize("name", EDITIONS)
+def test_a_lesson_ends_with_the_list_of_all_its_exercises_and_the_books_that_have_them(name):
+    cells = _end(name)
+    lesson = int(name[3:5])
+    wanted = {one: exercise(one).title.in_(name[:2]) for one in ids() if exercise(one).lesson == lesson}
+    assert ast.literal_eval(cells[-1].outputs[0].data["text/plain"]) == wanted
+    linked = re.findall(r"\]\(exercises-([\w-]+)\.ipynb\)", cells[-2].source)
+    assert sorted(linked) == sorted({exercise(one).dialect for one in wanted})
+
+
+@pytest.mark.parametrize("name", [*MADE, *EDITIONS, "index.ipynb"])
+def test_what_comes_from_the_catalogue_is_up_to_date(name):
+    wanted = build.exercise_books.source(FOLDER / name)
+    assert [(cell.cell_type, cell.source) for cell in wanted.cells] == [
+        (cell.cell_type, cell.source) for cell in _read(name).cells
+    ]
+
+
+def test_there_is_a_book_for_each_family_and_one_concept_test_in_both_editions():
+    families = {exercise(one).dialect for one in ids()}
+    for lang in ("en", "zh"):
+        found = {path.name for path in (FOLDER / lang).glob("*.ipynb")} - {*LESSONS}
+        assert found == {"concept-test.ipynb", *(f"exercises-{family}.ipynb" for family in families)}
+        tests = [cell for cell in _cells(f"{lang}/concept-test.ipynb", "code") if cell.source == "plc.concept_test()"]
+        assert len(tests) == 1
+        (shown,) = tests[0].outputs
+        assert [one.id for one in concept_test() if one.title.in_(lang) not in _words(shown.data["text/html"])] == []
+
+
+def _words(page):
+    return html.unescape(re.sub(r"<[^>]+>", "", page))
+
+
+@pytest.mark.parametrize("name", FAMILY_BOOKS)
+def test_a_book_has_every_exercise_of_its_family_once_lesson_by_lesson_in_teaching_order(name):
+    family = Path(name).stem.removeprefix("exercises-")
+    cells = _read(name).cells
+    wanted = [one for one in ids() if exercise(one).dialect == family]
+    assert _desks(cells) == sorted(wanted, key=lambda one: exercise(one).lesson)
+    lesson = None
+    for before, cell in zip(cells, cells[1:], strict=False):
+        if found := re.match(r"## (?:Lesson |第)(\d+)", before.source):
+            lesson = int(found[1])
+        if found := DESK.fullmatch(cell.source):
+            one = exercise(found[1])
+            assert one.lesson == lesson
+            assert before.source.startswith(f"### {one.title.in_(name[:2])}\n\n`{one.id}` · ")
+            assert [other for other in one.after if exercise(other).title.in_(name[:2]) not in before.source] == []
+            assert one.task.in_(name[:2]) in _words(cell.outputs[0].data["text/html"])
+
+
+@pytest.mark.parametrize("name", FAMILY_BOOKS)
+def test_a_book_begins_with_the_progress_and_ends_with_a_drill_of_each_kind(name):
+    family = Path(name).stem.removeprefix("exercises-")
+    code = _cells(name, "code")
+    assert code[1].source == f'plc.progress("{family}")'
+    drills = [found.groups() for cell in code if (found := DRILLED.fullmatch(cell.source))]
+    assert [cell.source for cell in code[-len(drills) :] if not DRILLED.fullmatch(cell.source)] == []
+    assert [kind for kind, _, _ in drills] == list(DRILLS)
+    assert {dialect for _, dialect, _ in drills} == {family}
+    words = [cell.outputs[0].data["text/plain"] for cell in code[-len(drills) :]]
+    assert [one for one in words if from_id(re.fullmatch(r"ExerciseDesk\((.+)\)", one)[1]) is None] == []
+
+
+@pytest.mark.parametrize("name", [name.removeprefix("en/") for name in MADE if name.startswith("en/")])
+def test_both_editions_of_a_book_have_the_same_code_but_for_the_language(name):
+    english, chinese = ([cell.source for cell in _cells(f"{lang}/{name}", "code")] for lang in ("en", "zh"))
+    assert (english[0], chinese[0]) == (FIRST.format("en"), FIRST.format("zh"))
+    assert english[1:] == chinese[1:]
+
+
+def test_nobodys_progress_stands_in_a_book():
+    shown = [cell.outputs[0].data["text/html"] for name in FAMILY_BOOKS for cell in _cells(name, "code")[1:2]]
+    assert len(shown) == len(FAMILY_BOOKS)
+    assert [page for page in shown if "✓" in page or "…" in page] == []
+
+
+def test_every_exercise_and_every_diagnostic_leads_to_a_lesson_that_is_there():
+    there = {int(name[:2]) for name in LESSONS}
+    assert {exercise(one).lesson for one in ids()} == there
+    assert {one.lesson for one in concept_test()} <= there
+    assert {rule.lesson for rule in RULES.values()} - {-1} <= there
+
+
+def test_the_index_lists_every_book_in_both_editions_with_the_number_of_its_exercises():
+    rows = [line for line in _prose("index.ipynb").splitlines() if line.startswith("| ") and "](en/exercises-" in line]
+    told = {re.search(r"\]\(en/(exercises-.+?\.ipynb)\)", row)[1]: row.split("|")[2].strip() for row in rows}
+    families = [exercise(one).dialect for one in ids()]
+    assert told == {f"exercises-{family}.ipynb": str(families.count(family)) for family in set(families)}
+    for name in (name for name in MADE if name.startswith("en/")):
+        assert f"]({name})" in _prose("index.ipynb")
+        assert f"](zh/{name[3:]})" in _prose("index.ipynb")

@@ -72,7 +72,9 @@ def test_a_desk_shows_its_task_and_keeps_its_hints_for_when_they_are_asked_for()
 def test_every_kind_opens_is_wrong_at_first_and_right_with_its_model(kind: str, name: str) -> None:
     desk = ExerciseDesk(name)
     form = said(desk, "task")["form"]
-    assert form == {"order": "rows", "predict": "grid", "chart": "grid", "join": "blocks", "match": "choice"}.get(kind, "list")
+    assert form == {"order": "rows", "predict": "grid", "chart": "grid", "join": "blocks", "match": "choice"}.get(
+        kind, "list"
+    )
     assert desk.source == exercise(name).start or form in {"grid", "rows", "blocks", "choice"}
     presses(desk, "check")
     assert said(desk, "verdict")["status"] in {"error", "different"}
@@ -86,7 +88,9 @@ def test_every_kind_opens_is_wrong_at_first_and_right_with_its_model(kind: str, 
 
 
 @pytest.mark.parametrize("name", FIRST.values())
-def test_a_page_without_a_kernel_shows_the_material_in_both_languages(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_page_without_a_kernel_shows_the_material_in_both_languages(
+    name: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
     one = exercise(name)
     assert one.title.en in html(ExerciseDesk(name)).replace("&#x27;", "'").replace("&quot;", '"')
     monkeypatch.setattr(words, "_chosen", ["zh"])
@@ -199,7 +203,9 @@ def test_a_grid_is_marked_row_by_row_as_far_as_it_is_filled_in() -> None:
     desk = ExerciseDesk(PREDICT)
     assert types(desk, "1 .\n. .\n. .\n")["marks"] == {"rows": ["right", "", ""], "cells": []}
     assert types(desk, "1 .\n1 .\n. .\n")["marks"] == {"rows": ["right", "wrong", ""], "cells": [[1, 0]]}
-    assert types(desk, "1 .\n. .\n0 .\n")["marks"]["rows"] == ["right", "wrong", "right"], "a row that was passed over is done"
+    assert types(desk, "1 .\n. .\n0 .\n")["marks"]["rows"] == ["right", "wrong", "right"], (
+        "a row that was passed over is done"
+    )
     desk.feedback = "final"
     assert "marks" not in types(desk, "1 .\n1 .\n. .\n")
     presses(desk, "check")
@@ -209,7 +215,10 @@ def test_a_grid_is_marked_row_by_row_as_far_as_it_is_filled_in() -> None:
 def test_a_chart_is_marked_when_an_outputs_row_is_full() -> None:
     desk = ExerciseDesk(replace(PREDICT, kind="chart", scans=({}, {"I0.0": 1, "I0.1": 1}, {"I0.0": 0})))
     task = said(desk, "task")
-    assert task["waves"] == [{"address": "I0.0", "values": ["0", "1", "0"]}, {"address": "I0.1", "values": ["0", "1", "1"]}]
+    assert task["waves"] == [
+        {"address": "I0.0", "values": ["0", "1", "0"]},
+        {"address": "I0.1", "values": ["0", "1", "1"]},
+    ]
     assert "I0.1" not in task["text"]["en"], "the grid draws the inputs itself"
     assert types(desk, "Q0.0 01.\n")["marks"]["rows"] == [""]
     assert types(desk, "Q0.0 011\n")["marks"] == {"rows": ["wrong"], "cells": [[0, 2]]}
@@ -242,7 +251,7 @@ def test_of_a_program_the_desk_has_no_model_answer() -> None:
 
 # Hidden exercises.
 
-SECRET = "LD I0.0\n= M17.5\nLD M17.5\nA I0.1\n= Q0.0\n"
+HIDDEN = "LD I0.0\n= M17.5\nLD M17.5\nA I0.1\n= Q0.0\n"
 
 
 def everything(desk: ExerciseDesk) -> str:
@@ -254,7 +263,7 @@ def everything(desk: ExerciseDesk) -> str:
 @pytest.mark.parametrize("drawn", [False, True])
 def test_of_a_hidden_exercise_the_reference_is_shown_nowhere(*, drawn: bool) -> None:
     ladder = "--[ I0.0 ]--( M17.5 )\n\n--[ M17.5 ]--[ I0.1 ]--( Q0.0 )"
-    task = replace(TASK, hidden=True, reference=ladder if drawn else SECRET)
+    task = replace(TASK, hidden=True, reference=ladder if drawn else HIDDEN)
     desk = ExerciseDesk(task, WRONG)
     desk.check()
     for _ in range(6):
@@ -269,14 +278,14 @@ def test_of_a_hidden_exercise_the_reference_is_shown_nowhere(*, drawn: bool) -> 
 
 
 def test_trouble_with_a_hidden_exercise_tells_nothing_of_it() -> None:
-    desk = ExerciseDesk(replace(TASK, hidden=True, reference=SECRET.replace("LD M17.5", "LDX M17.5")), WRONG)
+    desk = ExerciseDesk(replace(TASK, hidden=True, reference=HIDDEN.replace("LD M17.5", "LDX M17.5")), WRONG)
     with pytest.raises(PlcTeachError, match="has an error itself") as trouble:
         desk.check()
     whole = "".join(trouble.getrepr(style="native", showlocals=False).reprtraceback.__str__())
     assert "M17.5" not in whole
     assert trouble.value.__suppress_context__
-    with pytest.raises(PlcTeachError, match="LDX|error"):
-        ExerciseDesk(replace(TASK, reference=SECRET.replace("LD M17.5", "LDX M17.5")), WRONG).check()
+    with pytest.raises(PlcTeachError, match="LDX"):
+        ExerciseDesk(replace(TASK, reference=HIDDEN.replace("LD M17.5", "LDX M17.5")), WRONG).check()
 
 
 def test_the_verbs_are_found() -> None:

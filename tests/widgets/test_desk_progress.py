@@ -121,7 +121,9 @@ def test_a_file_that_cannot_be_read_is_put_aside_and_told(kept: Path, broken: st
 
 @pytest.mark.parametrize("row", ["7", "[]", '{"attempts": "many", "best": -3, "hints": true, "text": 5, "earlier": 3}'])
 def test_a_row_that_holds_anything_does_no_harm(kept: Path, row: str) -> None:
-    kept.write_text(f'{{"plcteach": 1, "exercises": {{"mine": {row}, "other": {{"text": "LD I0.5"}}}}}}', encoding="utf-8")
+    kept.write_text(
+        f'{{"plcteach": 1, "exercises": {{"mine": {row}, "other": {{"text": "LD I0.5"}}}}}}', encoding="utf-8"
+    )
     desk = ExerciseDesk(TASK)
     types(desk, RIGHT)
     desk.check()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from typing import TYPE_CHECKING
 
 import pytest
 
@@ -10,7 +11,9 @@ import plcteach
 from plcteach.check.judge import model
 from plcteach.core import text as words
 from plcteach.exercises import concept_test as questions
-from plcteach.widgets.quiz import ConceptTest
+
+if TYPE_CHECKING:
+    from plcteach.widgets.quiz import ConceptTest
 
 
 @pytest.fixture(autouse=True)
@@ -62,6 +65,7 @@ def test_before_and_after_are_kept_and_compared() -> None:
     assert [row["after"] for row in told["result"]["rows"]] == [number != 7 for number in range(12)]
     assert "3 of 12" in told["result"]["say"]["en"]
     assert json.loads(plcteach.concept_test().quiz)["phase"] == "done"
+    assert "Concept test: before the course 3 / 12, after it 11 / 12" in repr(plcteach.progress())
     presses(test, "begin")
     presses(test, "finish")
     assert json.loads(test.quiz) == told, "what is done stays"

@@ -13,8 +13,9 @@ from plcteach.machine.world import beat
 if TYPE_CHECKING:
     from collections.abc import Hashable, Mapping, Sequence
 
+    from plcteach.check.proof.budget import Budget
     from plcteach.check.proof.product import Product, Question
-    from plcteach.check.proof.walk import Budget, Scan
+    from plcteach.check.proof.walk import Scan
     from plcteach.machine.gates import Compiled, Gate, Graph
 
 LANES, SCANS = 256, 400

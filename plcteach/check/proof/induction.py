@@ -16,6 +16,7 @@ from plcteach.check.proof.table import TooLarge, model_of
 if TYPE_CHECKING:
     from collections.abc import Hashable, Sequence
 
+    from plcteach.check.proof.budget import Budget
     from plcteach.check.proof.product import Product
     from plcteach.check.proof.table import Model
     from plcteach.machine.gates import Gate
@@ -31,27 +32,27 @@ Member = tuple[int, int]
 Classes = list[list[Member]]
 
 
-def always_equal(product: Product) -> frozenset[str]:
+def always_equal(product: Product, budget: Budget | None = None) -> frozenset[str]:
     """Give the outputs that induction proves equal for ever; those that it leaves open may be equal as well."""
     try:
         classes = _guessed(product)
-        classes = _based(product, classes)
-        proved = _proved(product, classes)
+        classes = _based(product, classes, budget)
+        proved = _proved(product, classes, budget)
     except TooLarge:
         return frozenset()
     if proved is None:
         return frozenset()
-    return frozenset(text for text in product.outputs if _never(product, proved, text))
+    return frozenset(text for text in product.outputs if _never(product, proved, text, budget))
 
 
-def _never(product: Product, by: dict[Hashable, Gate], text: str) -> bool:
+def _never(product: Product, by: dict[Hashable, Gate], text: str, budget: Budget | None) -> bool:
     """Say whether an output cannot differ, neither in the first scan nor, under what is known, in a later one."""
     graph = product.graph
     try:
-        if model_of(graph, product.first.bad[text] & product.first.fair, nodes=NODES) is not None:
+        if model_of(graph, product.first.bad[text] & product.first.fair, nodes=NODES, budget=budget) is not None:
             return False
         bad, fair = graph.rewritten([product.later.bad[text], product.later.fair], by)
-        return model_of(graph, bad & fair, nodes=NODES) is None
+        return model_of(graph, bad & fair, nodes=NODES, budget=budget) is None
     except TooLarge:
         return False
 
@@ -93,11 +94,11 @@ def _grouped(traces: Sequence[int], count: int, *, sure: bool) -> Classes:
     return list(groups.values())
 
 
-def _based(product: Product, classes: Classes) -> Classes:
+def _based(product: Product, classes: Classes, budget: Budget | None) -> Classes:
     """Split the classes until they hold after the first scan."""
     ends = [product.start[name] for name in product.state]
     for _ in range(ROUNDS):
-        models = _against(product, classes, ends, product.first.fair)
+        models = _against(product, classes, (ends, product.first.fair), budget)
         if not models:
             return classes
         values = _replayed(product, ends, product.inputs, models, {})
@@ -105,13 +106,13 @@ def _based(product: Product, classes: Classes) -> Classes:
     raise TooLarge
 
 
-def _proved(product: Product, classes: Classes) -> dict[Hashable, Gate] | None:
+def _proved(product: Product, classes: Classes, budget: Budget | None) -> dict[Hashable, Gate] | None:
     """Split the classes until each scan keeps them, and give what then stands for each remembered bit."""
     graph, ends = product.graph, [product.next[name] for name in product.state]
     for _ in range(ROUNDS):
         by = _leaders(product, classes)
         *then, fair = graph.rewritten([*ends, product.later.fair], by)
-        models = _against(product, classes, then, fair)
+        models = _against(product, classes, (then, fair), budget)
         if not models:
             return by
         names = (*product.state, *product.inputs)
@@ -133,14 +134,17 @@ def _leaders(product: Product, classes: Classes) -> dict[Hashable, Gate]:
     return by
 
 
-def _against(product: Product, classes: Classes, ends: Sequence[Gate], fair: Gate) -> list[Model]:
-    """Give some cases in which members of a class part."""
-    graph, models = product.graph, []
+def _against(
+    product: Product, classes: Classes, after: tuple[Sequence[Gate], Gate], budget: Budget | None
+) -> list[Model]:
+    """Give some cases in which members of a class part; `after`: what all bits become, and where that may be."""
+    (ends, fair), graph = after, product.graph
+    models: list[Model] = []
     for (leader, turned), *others in classes:
         first = graph.zero if leader < 0 else ends[leader]
         for place, opposite in others:
             parted = first ^ ends[place] if opposite == turned else ~(first ^ ends[place])
-            model = model_of(graph, parted & fair, nodes=NODES)
+            model = model_of(graph, parted & fair, nodes=NODES, budget=budget)
             if model is not None:
                 models.append(model)
                 if len(models) >= MOST_MODELS:

@@ -102,7 +102,9 @@ class Product:
             + [gate for name in state for gate in (self.next[name], self.start[name])]
         )
         inputs = tuple(sorted((name for name in seen if name not in self.next), key=_rank))
-        return replace(self, state=tuple(name for name in self.next if name in state), inputs=inputs)
+        kept = tuple(name for name in self.next if name in state)
+        start, then = ({name: gates[name] for name in kept} for gates in (self.start, self.next))
+        return replace(self, start=start, next=then, state=kept, inputs=inputs)
 
 
 def _rank(name: Hashable) -> tuple[Any, ...]:

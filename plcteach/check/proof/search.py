@@ -13,7 +13,8 @@ from typing import TYPE_CHECKING, Literal
 from plcteach.check.proof.table import simplest
 
 if TYPE_CHECKING:
-    from plcteach.check.proof.walk import Budget, Outcome, Walker
+    from plcteach.check.proof.budget import Budget
+    from plcteach.check.proof.walk import Outcome, Walker
 
 MOST_STATES = 200_000
 

@@ -12,11 +12,15 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from collections.abc import Hashable, Mapping
 
+    from plcteach.check.proof.budget import Budget
     from plcteach.machine.gates import Gate, Graph
 
 MOST_ROWS = 20
 FEW_ROWS = 12
 MOST_NODES = 200_000
+
+_WRITING, _ASKING = 100, 20
+"""What writing a gate down for a table costs, and joining two nodes of a diagram, beside working one gate out."""
 
 Model = dict["Hashable", int]
 """Inputs under which a gate is on; those that do not matter are not named."""
@@ -39,16 +43,27 @@ def patterns(count: int) -> list[int]:
     return found
 
 
-def model_of(graph: Graph, gate: Gate, *, rows: int = FEW_ROWS, nodes: int = MOST_NODES) -> Model | None:
+def model_of(
+    graph: Graph, gate: Gate, *, rows: int = FEW_ROWS, nodes: int = MOST_NODES, budget: Budget | None = None
+) -> Model | None:
     """Give inputs under which a gate is on, few of them 1; None where there are none, TooLarge where nobody knows."""
     if gate is graph.zero:
         return None
     names = graph.support([gate])
+    if budget is not None and budget.spent:
+        raise TooLarge
     if len(names) <= rows:
+        if budget is not None:
+            budget.spend(len(graph.cone([gate])) * (_WRITING + (1 << len(names) >> 9)))
         cases = graph.compiled([gate], names).call(patterns(len(names)), (1 << (1 << len(names))) - 1)[0]
         case = simplest(cases)
         return None if case < 0 else {name: case >> place & 1 for place, name in enumerate(names)}
-    return _Diagram(graph, {name: place for place, name in enumerate(names)}, nodes).model(gate)
+    diagram = _Diagram(graph, {name: place for place, name in enumerate(names)}, nodes)
+    try:
+        return diagram.model(gate)
+    finally:
+        if budget is not None:
+            budget.spend(_ASKING * len(diagram.made))
 
 
 def simplest(cases: int) -> int:

@@ -15,12 +15,13 @@ from __future__ import annotations
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
+from plcteach.check.proof.budget import Budget
 from plcteach.check.proof.chance import Chance
 from plcteach.check.proof.induction import always_equal
 from plcteach.check.proof.replay import Replay, replay, rows_of
 from plcteach.check.proof.search import Found, breadth_first, fewest
 from plcteach.check.proof.table import MOST_ROWS, TooLarge, model_of
-from plcteach.check.proof.walk import Budget, Walker
+from plcteach.check.proof.walk import Walker
 from plcteach.core.verdict import Verdict
 
 if TYPE_CHECKING:
@@ -35,15 +36,15 @@ if TYPE_CHECKING:
 MOST_INPUTS = 12
 LASTING = 5
 """A difference that is over sooner may be no more than rungs in another order."""
-SHORT, LONG, CHANCES = 1_000_000, 8_000_000, 4_000_000
-"""Work for a short search, for a long one, and for trying by chance; a million is something like a tenth of a second."""
+SHORT, LONG, CHANCES, INDUCTIONS = 1_000_000, 6_000_000, 2_000_000, 3_000_000
+"""Work for a short search, for all long ones together, for trying by chance, and for all inductions together."""
 
 
 @dataclass
 class Trial:
     """Two programs on trial: the reference first.
 
-    restless: the program that never comes to rest.  purse: what all searches together may cost.  proved: outputs that induction
+    restless: the program that never comes to rest.  purse, thought: what all searches, and all inductions, may still cost.  proved: outputs that induction
     has proved.  ghost: a difference was found that no time and no clock can bring about, so that no search need be made again.
     """
 
@@ -53,6 +54,7 @@ class Trial:
     explored: int = 0
     restless: int = -1
     purse: Budget = field(default_factory=lambda: Budget(LONG))
+    thought: Budget = field(default_factory=lambda: Budget(INDUCTIONS))
     proved: frozenset[str] | None = None
     ghost: bool = False
 
@@ -62,7 +64,9 @@ class Trial:
         calm = self.product.calm()
         if verdict.status == "equal" or calm is self.product:
             return verdict
-        again = Trial(self.programs, self.terms, calm, purse=self.purse).attempted(settled=settled, alone=alone)
+        again = Trial(self.programs, self.terms, calm, purse=self.purse, thought=self.thought).attempted(
+            settled=settled, alone=alone
+        )
         return again if again.status in {"different", "unsettled"} else self.unknown()
 
     def attempted(self, *, settled: bool, alone: bool) -> Verdict:
@@ -70,19 +74,21 @@ class Trial:
         verdict = self.by_table() if not self.product.state else None
         searched = len(self.product.inputs) <= MOST_INPUTS
         if verdict is None and searched and not self.ghost:
-            verdict = self.searched(SHORT, settled=settled, alone=alone)
+            verdict = self.searched(min(SHORT, self.purse.units), settled=settled, alone=alone)
         if verdict is None and not self.ghost:
             verdict = self.proven()
         if verdict is None and searched and not self.ghost:
             verdict = self.searched(self.purse.units, settled=settled, alone=alone)
         if verdict is None and len(self.product.outputs) > 1 and not self.ghost:
             verdict = self.one_by_one(settled=settled)
-        return verdict or self.by_chance(lasting=LASTING if settled else 1) or self.unknown()
+        if verdict is None and not alone:
+            verdict = self.by_chance(lasting=LASTING if settled else 1)
+        return verdict or self.unknown()
 
     def proven(self) -> Verdict | None:
         """Give the verdict of induction, which is asked once; None where it leaves an output open."""
         if self.proved is None:
-            self.proved = always_equal(self.product)
+            self.proved = always_equal(self.product, self.thought)
         return self.equal("induction") if len(self.proved) == len(self.product.outputs) else None
 
     def by_table(self) -> Verdict | None:
@@ -104,6 +110,8 @@ class Trial:
 
     def searched(self, units: int, *, settled: bool, alone: bool) -> Verdict | None:
         """Search the states from power-on; None where the budget ends first."""
+        if units <= 0:
+            return None
         budget = Budget(units)
         walker = Walker(self.product, budget, settled=settled)
         found = breadth_first(walker, budget)
@@ -154,7 +162,7 @@ class Trial:
             return self.equal("table")
         if text in (self.proved or ()):
             return self.equal("induction")
-        alone = Trial(self.programs, self.terms, self.product.of([text]), purse=self.purse)
+        alone = Trial(self.programs, self.terms, self.product.of([text]), purse=self.purse, thought=self.thought)
         verdict = alone.decided(settled=settled, alone=True)
         self.explored = max(self.explored, alone.explored)
         return verdict
@@ -168,7 +176,9 @@ class Trial:
             return self.equal("induction" if "induction" in proofs else "exhaustive")
         for text, one in verdicts.items():
             if one.status == "different":
-                alone = Trial(self.programs, self.terms, self.product.of([text]), purse=self.purse)
+                alone = Trial(
+                    self.programs, self.terms, self.product.of([text]), purse=self.purse, thought=self.thought
+                )
                 shown = one if one.counterexample else alone.decided(settled=settled)
                 if shown.counterexample:
                     return replace(shown, outputs=said | {text: "different"}, explored=self.explored)

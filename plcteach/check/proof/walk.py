@@ -16,26 +16,11 @@ from plcteach.check.proof.table import patterns
 if TYPE_CHECKING:
     from collections.abc import Generator, Hashable, Iterator, Sequence
 
+    from plcteach.check.proof.budget import Budget
     from plcteach.check.proof.product import Product
 
 MOST_SETTLING_SCANS = 32
 Scan = dict["Hashable", int]
-
-
-class Budget:
-    """How much work may still be done; counted in gates worked out, so that it is the same on every machine."""
-
-    def __init__(self, units: int) -> None:
-        self.units = units
-
-    def spend(self, units: int) -> None:
-        """Take some; `spent` says when there is none left."""
-        self.units -= units
-
-    @property
-    def spent(self) -> bool:
-        """Whether nothing is left."""
-        return self.units < 0
 
 
 @dataclass(frozen=True, slots=True)

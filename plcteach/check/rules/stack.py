@@ -78,13 +78,30 @@ def starts_from_leftover(walk: Walk, row: Rule) -> Iterator[Diagnostic]:
 @finds("STK003", STACK_RULES)
 def pop_without_push(walk: Walk, row: Rule) -> Iterator[Diagnostic]:
     """A read or a pop finds no branch point where it looks for one."""
+    roles = walk.dialect.roles
+    popped: Move | None = None
     for move in walk.moves:
         if move.role in _FETCHES:
             cell = _fetched(move)
             if cell is None or not cell.branch:
                 block = cell is not None and cell.line is not None
                 what = Text("，那里是一个电路块的值", ": the value there belongs to a block") if block else NOTHING
-                yield row.at(move.line.span, word=move.line.text, push=walk.dialect.roles["push"], what=what)
+                found = row.at(move.line.span, word=move.line.text, push=roles["push"], what=what)
+                yield replace(found, notes=_popped_before(walk, popped))
+            elif move.role == "pop":
+                popped = move
+
+
+def _popped_before(walk: Walk, popped: Move | None) -> tuple[Note, ...]:
+    """Point at the pop that has taken a branch point away too early."""
+    if popped is None or "read" not in walk.dialect.roles:
+        return ()
+    pop, read = popped.line.text, walk.dialect.roles["read"]
+    said = Text(
+        f"这里的{pop}已经把分支点取走了；不是最后一条支路，就用{read}。",
+        f"Here {pop} has taken the branch point away; a branch that is not the last one wants {read}.",
+    )
+    return (Note(popped.line.span, said),)
 
 
 def _fetched(move: Move) -> Cell | None:

@@ -11,10 +11,11 @@ from hypothesis import strategies as st
 
 from plcteach.check import same
 from plcteach.check.proof import circuit, product, trial, walk
+from plcteach.check.proof.budget import Budget
 from plcteach.check.proof.induction import always_equal
 from plcteach.check.proof.search import breadth_first, fewest
 from plcteach.check.proof.table import TooLarge, model_of, patterns, simplest
-from plcteach.check.proof.walk import Budget, Walker
+from plcteach.check.proof.walk import Walker
 from plcteach.core.exercise import Terms
 from plcteach.machine import run
 from plcteach.machine.gates import Gate, Graph
