@@ -9,10 +9,9 @@ from __future__ import annotations
 from random import Random
 from typing import TYPE_CHECKING, Any
 
-from plcteach.check.proof.replay import replay
+from plcteach.check.proof.replay import holds, replay
 from plcteach.check.proof.terms import condition
 from plcteach.core.verdict import Status, Verdict
-from plcteach.machine.lanes import Lanes, lanes
 from plcteach.machine.plan import plan_of
 from plcteach.machine.scan import run
 from plcteach.machine.signals import ONE, ZERO
@@ -22,14 +21,13 @@ if TYPE_CHECKING:
 
     from plcteach.core.exercise import Terms
     from plcteach.core.program import Program
+    from plcteach.machine.scan import Trace
 
-TIMELINES = 32
-SCANS = 200
-FEW_TIMELINES = 4
-FEW_SCANS = 60
-"""A program that goes back in its scan runs timeline after timeline, so it is tried over fewer of them."""
+TIMELINES, SCANS = 16, 120
+FEWEST_TIMELINES, FEWEST_SCANS = 2, 5
+MOST_LINE_SCANS = 12_000
+"""So many lines are executed in all; a long program is tried over fewer scans."""
 SCAN_MS = 20
-MOST_LINE_SCANS = 500_000
 _SEED = 20030907
 
 Row = dict[str, Any]
@@ -43,25 +41,42 @@ def tried(programs: tuple[Program, Program], outputs: tuple[str, ...], terms: Te
     nothing: dict[str, Status] = dict.fromkeys(outputs, "unknown")
     if any(_runs_away(one) for one in programs):
         return Verdict("unknown", outputs=nothing, explored=1)
-    straight = all(plan_of(one).straight for one in programs)
-    count, scans = (TIMELINES, SCANS) if straight else (FEW_TIMELINES, FEW_SCANS)
-    scans = max(2, min(scans, MOST_LINE_SCANS // (count * max(len(one.lines) + 1 for one in programs))))
+    lines = sum(len(one.lines) + 1 for one in programs)
+    scans = max(FEWEST_SCANS, min(SCANS, MOST_LINE_SCANS // (lines * FEWEST_TIMELINES)))
+    count = max(FEWEST_TIMELINES, min(TIMELINES, MOST_LINE_SCANS // (lines * scans)))
     inputs = tuple(dict.fromkeys(place.text for one in programs for place in one.addresses("input")))
-    timelines = [list(_timeline(number, inputs, programs[0], terms))[:scans] for number in range(count)]
-    both = tuple(lanes(one, timelines, scan_ms=SCAN_MS) for one in programs)
-    held = [0] * count
-    for scan in range(scans):
-        cases = _differing(both, outputs, scan, terms)
-        held = [one + 1 if cases >> lane & 1 else 0 for lane, one in enumerate(held)]
-        found = [lane for lane, one in enumerate(held) if one >= lasting]
-        if found:
-            lane = min(found, key=lambda one: sum(len(row) for row in timelines[one][: scan + 1]))
-            rows = tuple({**row, "ms": SCAN_MS} for row in timelines[lane][: scan + 1])
-            seen = replay(programs, rows, outputs, terms)
-            if seen:
-                said: dict[str, Status] = {text: "different" if text in seen.wrong else "unknown" for text in outputs}
-                return Verdict("different", None, seen.example, said, explored=len(rows))
+    for number in range(count):
+        rows = [{**row, "ms": SCAN_MS} for row in _timeline(number, scans, inputs, (programs[0], terms))]
+        scan = _parting(programs, rows, outputs, terms, lasting)
+        seen = None if scan is None else replay(programs, rows[: scan + 1], outputs, terms)
+        if seen:
+            said: dict[str, Status] = {text: "different" if text in seen.wrong else "unknown" for text in outputs}
+            return Verdict("different", None, seen.example, said, explored=number * scans + len(seen.example.inputs))
     return Verdict("unknown", outputs=nothing, explored=count * scans)
+
+
+def _parting(
+    programs: tuple[Program, Program], rows: list[Row], outputs: tuple[str, ...], terms: Terms, lasting: int
+) -> int | None:
+    """Give the first scan after which the two have differed for so long; None where they do not."""
+    traces = tuple(run(one, rows) for one in programs)
+    held = 0
+    for scan in range(len(rows)):
+        held = held + 1 if any(_differs(traces, text, scan, terms) for text in outputs) else 0
+        if held >= lasting:
+            return scan
+    return None
+
+
+def _differs(traces: tuple[Trace, ...], text: str, scan: int, terms: Terms) -> bool:
+    """Say whether an output differs after a scan, or what must never be is."""
+    mine, theirs = traces
+    if text in terms.never:
+        return holds(theirs, text, scan) != "0"
+    if text in terms.dont_care and holds(mine, terms.dont_care[text], scan) == "1":
+        return False
+    got = repr(theirs.value(text, scan))
+    return got == "x" or got != repr(mine.value(text, scan))
 
 
 def _runs_away(program: Program) -> bool:
@@ -69,12 +84,13 @@ def _runs_away(program: Program) -> bool:
     return not plan_of(program).straight and any(one.code in {"RUN002", "RUN003"} for one in run(program).diagnostics)
 
 
-def _timeline(number: int, inputs: tuple[str, ...], program: Program, terms: Terms) -> Iterator[Row]:
+def _timeline(number: int, scans: int, inputs: tuple[str, ...], allowed: tuple[Program, Terms]) -> Iterator[Row]:
     """Give one timeline: inputs held for a while, then one or a few of them turned over; some are quick and some slow."""
     chance = Random(_SEED + number)  # noqa: S311 (the same timelines everywhere, on purpose)
-    pace = (2, 10, 60, 300)[number % 4]
+    pace = (2, 8, 20, 60)[number % 4]
     now = dict.fromkeys(inputs, 0)
-    for scan in range(SCANS):
+    program, terms = allowed
+    for scan in range(scans):
         changed = {}
         if inputs and scan and chance.random() < 1 / pace:
             few = 1 + (chance.random() < 1 / 3 and len(inputs) > 1 and not terms.single_change)
@@ -92,21 +108,3 @@ def _may(program: Program, terms: Terms, now: Row) -> bool:
         condition(text, program.dialect).worked(lambda place: bits.get(place.text, ZERO)) == ONE
         for text in terms.assume
     )
-
-
-def _differing(both: tuple[Lanes, ...], outputs: tuple[str, ...], scan: int, terms: Terms) -> int:
-    """Give the timelines in which an output differs after a scan, as the bits of a number."""
-    cases = 0
-    dialect = both[0].program.dialect
-    for text in outputs:
-        if text in terms.never:
-            broken = condition(text, dialect).worked(lambda place: both[1].column(place.text, scan))
-            cases |= broken.may1
-            continue
-        mine, theirs = (one.column(text, scan) for one in both)
-        wrong = mine.differs(theirs) | theirs.unknown
-        if text in terms.dont_care:
-            spared = condition(terms.dont_care[text], dialect).worked(lambda place: both[0].column(place.text, scan))
-            wrong &= ~(spared.may1 & ~spared.may0)
-        cases |= wrong
-    return cases

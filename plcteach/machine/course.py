@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
 S = TypeVar("S", bound=Signal)
 
-MOST_LINES = 100_000
+MOST_LINES = 20_000
 """So many lines in one scan, and a loop has run away."""
 
 DEEPEST = 8

@@ -21,7 +21,7 @@ class Unprovable(Exception):  # noqa: N818 (no error: what is asked for has no f
     """A program does something that no circuit of reasonable size does (divides, loops, has no end)."""
 
 
-MOST_GATES = 200_000
+MOST_GATES = 50_000
 
 
 class Gate:

@@ -19,7 +19,7 @@ import nbformat
 from nbclient import NotebookClient
 
 sys.path.insert(0, str(Path(__file__).parent))
-import exercise_books  # noqa: E402 (it stands beside this file)
+import exercise_books
 
 FOLDER = exercise_books.FOLDER
 WIDGET_VIEW = "application/vnd.jupyter.widget-view+json"

@@ -3,18 +3,20 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import nbformat
 from lesson_ends import families_of, lesson_of, woven
 from nbformat.v4 import new_code_cell, new_markdown_cell, new_notebook
 
 from plcteach.check.drilling.told import TITLES
-from plcteach.core.exercise import Exercise
 from plcteach.core.text import Text
 from plcteach.dialects import dialect, names
 from plcteach.exercises import concept_test, exercise, ids
 from plcteach.widgets.progress import KINDS
+
+if TYPE_CHECKING:
+    from plcteach.core.exercise import Exercise
 
 FOLDER = Path(__file__).resolve().parents[2] / "notebooks"
 LANGUAGES = ("en", "zh")
@@ -58,7 +60,9 @@ FAR = Text(
     "## How far you are\n\n✓ is full marks, … is begun. Run this cell again after an exercise or two.",
 )
 LESSON = Text("## 第{title}\n\n[打开这一课]({name})", "## Lesson {title}\n\n[Open the lesson]({name})")
-ASKS = Text("### {title}\n\n`{id}` · {kind} · {points:g}分{after}", "### {title}\n\n`{id}` · {kind} · {points:g} points{after}")
+ASKS = Text(
+    "### {title}\n\n`{id}` · {kind} · {points:g}分{after}", "### {title}\n\n`{id}` · {kind} · {points:g} points{after}"
+)
 AFTER = Text(" · 先做：{titles}", " · First: {titles}")
 QUOTED = Text("“{title}”{place}", "*{title}*{place}")
 FURTHER_DOWN = Text("（第{lesson}课，在后面）", " (lesson {lesson}, further down)")
@@ -86,7 +90,7 @@ Take it once **before lesson 0** and once **after lesson 13**. Each question is 
 
 The first time you are told how many were right, but not which, so that the second time still asks something. Then both results stand side by side, with the lesson to read again for each question. Your answers are kept in a small file beside the notebook, so you may stop at any question.""",
 )
-CONCEPT_RUN = Text("运行下面的单元，测验就从第1题开始。", "Run the cell, and the test opens at question 1.")
+CONCEPT_RUN = Text("运行下面的单元，测验就从第1题开始。", "Run the cell below, and the test opens at question 1.")
 CONCEPT_NEXT = Text(
     "**第一次做完？** 从[第0课]({first})开始。**第二次做完？** [首页](../index.ipynb)上有每个系列的练习册。",
     "**Done for the first time?** Begin with [lesson 0]({first}). **Done for the second time?** The [start page](../index.ipynb) has an exercise book for each family.",
@@ -97,9 +101,9 @@ Each lesson ends with some of its exercises; the books have them all. The concep
 
 每一课的最后有几道练习，全部练习在练习册里。概念测验在第0课以前做一次，第13课以后再做一次。
 
-| book · 练习册 | exercises · 题数 | English | 中文 |
-|---|---|---|---|"""
-BOOK_ROW = "| {en} · {zh} | {count} | [{name}](en/{name}) | [{name}](zh/{name}) |"
+| exercise book | 练习册 | exercises · 题数 |
+|---|---|---|"""
+BOOK_ROW = "| [{en}](en/{name}) | [{zh}](zh/{name}) | {count} |"
 ANYWHERE = """Any exercise opens in any cell: `plc.desk("s7-two-blocks")`; how far you are: `plc.progress()`.
 
 每道练习都可以在任何单元里打开：`plc.desk("s7-two-blocks")`；做到哪里了：`plc.progress()`。"""

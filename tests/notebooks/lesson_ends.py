@@ -18,8 +18,8 @@ RUN = Text(
     "file beside the notebook and is there again next time.",
 )
 ALL = Text(
-    "**这一课的全部练习。** 任何一道都可以用`plc.desk(\"编号\")`打开；它们也都在练习册里：{books}。",
-    "**All exercises of this lesson.** Open any of them with `plc.desk(\"its id\")`; they are in the exercise books, too: {books}.",
+    '**这一课的全部练习。** 任何一道都可以用`plc.desk("编号")`打开；它们也都在练习册里：{books}。',
+    '**All exercises of this lesson.** Open any of them with `plc.desk("its id")`; they are in the exercise books, too: {books}.',
 )
 FURTHER = """from plcteach.exercises import exercise, ids
 

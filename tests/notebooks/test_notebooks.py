@@ -5,6 +5,7 @@ from __future__ import annotations
 import ast
 import html
 import importlib.util
+import itertools
 import json
 import re
 from pathlib import Path
@@ -82,9 +83,7 @@ TERMS = {
         "鼓形控制器 步 控制位 移位寄存器 步进计数器 先进先出 后进先出 行程开关 电磁阀 原位 上升沿"
     ),
     "07-blocks-and-joins.ipynb": "电路块 独立电路 电路块串联 电路块并联",
-    "08-branches-on-one-and-two-levels.ipynb": (
-        "分支 连续（纵接）输出 多重输出 逻辑入栈 逻辑读栈 逻辑出栈 装载堆栈"
-    ),
+    "08-branches-on-one-and-two-levels.ipynb": ("分支 连续（纵接）输出 多重输出 逻辑入栈 逻辑读栈 逻辑出栈 装载堆栈"),
     "09-parentheses.ipynb": "布尔累加器 指令表 取反",
     "10-two-stacks-fusion-and-decomposition.ipynb": (
         "数据栈 辅助栈 输入指令 输出指令 复合输入指令 复合输出指令 系统指令"
@@ -269,12 +268,12 @@ def test_a_lesson_ends_with_two_to_four_of_its_exercises_each_with_a_reason(name
     assert 2 <= len(chosen) <= 4
     assert len(set(chosen)) == len(chosen)
     assert {exercise(one).lesson for one in chosen} == {int(name[3:5])}
-    for before, cell in zip(cells, cells[1:], strict=False):
+    for before, cell in itertools.pairwise(cells):
         if found := DESK.fullmatch(cell.source):
             title, empty, reason = before.source.split("\n")
             assert title.startswith(f"### {exercise(found[1]).title.in_(name[:2])}")
             assert empty == ""
-            assert len(re.findall(r"[.。]$", reason)) == 1
+            assert len(re.findall(r"[.。?？]$", reason)) == 1
 
 
 @pytest.mark.parametrize("name", EDITIONS)
@@ -317,7 +316,7 @@ def test_a_book_has_every_exercise_of_its_family_once_lesson_by_lesson_in_teachi
     wanted = [one for one in ids() if exercise(one).dialect == family]
     assert _desks(cells) == sorted(wanted, key=lambda one: exercise(one).lesson)
     lesson = None
-    for before, cell in zip(cells, cells[1:], strict=False):
+    for before, cell in itertools.pairwise(cells):
         if found := re.match(r"## (?:Lesson |第)(\d+)", before.source):
             lesson = int(found[1])
         if found := DESK.fullmatch(cell.source):
@@ -363,7 +362,7 @@ def test_every_exercise_and_every_diagnostic_leads_to_a_lesson_that_is_there():
 
 def test_the_index_lists_every_book_in_both_editions_with_the_number_of_its_exercises():
     rows = [line for line in _prose("index.ipynb").splitlines() if line.startswith("| ") and "](en/exercises-" in line]
-    told = {re.search(r"\]\(en/(exercises-.+?\.ipynb)\)", row)[1]: row.split("|")[2].strip() for row in rows}
+    told = {re.search(r"\]\(en/(exercises-.+?\.ipynb)\)", row)[1]: row.split("|")[3].strip() for row in rows}
     families = [exercise(one).dialect for one in ids()]
     assert told == {f"exercises-{family}.ipynb": str(families.count(family)) for family in set(families)}
     for name in (name for name in MADE if name.startswith("en/")):

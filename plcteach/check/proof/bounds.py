@@ -36,6 +36,11 @@ def bounds(program: Program, store: Store[Any], keys: list[str]) -> dict[str, Bo
     return {key: _bound(store, key, uses) for key in keys}
 
 
+def natural(store: Store[Any], key: str) -> Bound:
+    """Give the range in which the machine itself keeps a number, whatever the program does with it."""
+    return _bound(store, key, {})
+
+
 @dataclass(slots=True)
 class _Use:
     """How one block's number is used: with which constants it is compared, and whether in any other way."""

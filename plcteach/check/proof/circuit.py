@@ -10,7 +10,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
-from plcteach.check.proof.bounds import Bound, bounds
+from plcteach.check.proof.bounds import Bound, bounds, natural
 from plcteach.core.area import Address
 from plcteach.machine.course import Course, Mixed
 from plcteach.machine.gates import Bit, Blurred, Gate, Graph, Unprovable
@@ -28,7 +28,10 @@ Key = tuple[Any, ...]
 """What is remembered: ("bit", key), ("word", key, place), ("past", line), ("image", address) or ("stop",)."""
 
 TICK = ("tick",)
-MOST_ROUNDS = 40
+WIDE = 40
+MOST_ROUNDS, MOST_STEPS = 40, 5_000
+MOST_NUMBER_BITS = 800
+"""A program that remembers more bits in its numbers is too large for a proof (forty timers of the largest preset)."""
 
 
 def bases(program: Program) -> set[int]:
@@ -97,6 +100,15 @@ class _Gated(Plant[Any]):
             here = here & graph.variable(("here", self.side, first, stop))
         self.pending = self.pending & ~here
         return Vector((here, graph.zero), graph.zero)
+
+    def keep(self, one: Step[Any], run: Any = None) -> None:
+        """Take over what a step wrote; a number that has grown wider than it can ever be loses the bits that are always 0."""
+        super().keep(one, run)
+        for key, _ in one.numbers:
+            value = self.words[key]
+            if len(value.signs) > WIDE:
+                bound = natural(self, key)
+                self.words[key] = value.wrap(bound.size + bound.signed, signed=bound.signed)
 
     def at(self, line: int, of: int) -> None:
         """Come to a line; only where a line looks at a fast timer does it matter when the tick comes."""
@@ -178,8 +190,10 @@ class _Builder:
         """Run one scan and give what it leaves."""
         course = Course(_Gated(self.setting, self.side, self.program, memory))
         try:
-            for one in course.steps():
+            for number, one in enumerate(course.steps()):
                 self.watch(one)
+                if number > MOST_STEPS:
+                    raise Unprovable
         except Mixed:
             raise Unprovable from None
         if course.found:
@@ -242,6 +256,8 @@ class _Builder:
     def built(self) -> Circuit:
         """Run the first scan, then later ones until what is remembered is known."""
         self.start, first = self.scan(Memory())
+        if sum(bound.size for bound in self.ranges.values()) > MOST_NUMBER_BITS:
+            raise Unprovable
         self.known = {key: self.guess(key, value) for key, value in self.start.items()}
         for _ in range(MOST_ROUNDS):
             after, later = self.scan(self.memory(self.known))

@@ -89,9 +89,9 @@ def replay(
     for text in terms.never:
         for scan in range(len(rows)):
             expected[scan][text] = "0"
-            got[scan][text] = _holds(traces[1], text, scan)
+            got[scan][text] = holds(traces[1], text, scan)
     last = len(rows) - 1
-    spared = {text for text, formula in terms.dont_care.items() if _holds(traces[0], formula, last) == "1"}
+    spared = {text for text, formula in terms.dont_care.items() if holds(traces[0], formula, last) == "1"}
     wrong = tuple(
         text
         for text in outputs
@@ -103,7 +103,7 @@ def replay(
     return Replay(Counterexample(scans, expected, got, last, wrong[0]), wrong)
 
 
-def _holds(trace: Trace, formula: str, scan: int) -> str:
+def holds(trace: Trace, formula: str, scan: int) -> str:
     """Give what a formula is after a scan."""
     dialect = trace.program.dialect
     found = condition(formula, dialect).worked(lambda place: trace.value(address_of(dialect, place.text).text, scan))
