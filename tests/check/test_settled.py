@@ -76,3 +76,11 @@ def test_a_program_that_never_rests_is_unsettled() -> None:
     blinker = "LDN Q0.0\n= Q0.0"
     assert judged("LD I0.0\n= Q0.0", blinker, "settled") == ("unsettled", "settled")
     assert judged("LD I0.0\n= Q0.0", blinker, "either")[0] == "different"
+
+
+def test_a_program_that_differs_and_never_rests_is_told_so() -> None:
+    verdict = compare(read("LD I0.0\n= Q0.0"), read("LD I0.0\nAN Q0.0\n= Q0.0"), level="either")
+    assert verdict.status == "different"
+    assert [one.code for one in verdict.diagnostics] == ["CHK004"]
+    both = compare(read("LDN Q0.0\n= Q0.0"), read("LD I0.0\nAN Q0.0\n= Q0.0"), level="either")
+    assert "CHK004" not in {one.code for one in both.diagnostics}, "the reference does not rest either"

@@ -6,6 +6,7 @@ from typing import Any
 
 from nbformat.v4 import new_code_cell, new_markdown_cell
 
+from plcteach.core.diagnostic import RULES
 from plcteach.core.text import Text
 from plcteach.dialects import dialect, names
 from plcteach.exercises import exercise, ids
@@ -24,6 +25,15 @@ ALL = Text(
 FURTHER = """from plcteach.exercises import exercise, ids
 
 {{name: exercise(name).title.in_(plc.language()) for name in ids() if exercise(name).lesson == {lesson}}}"""
+
+MESSAGES = Text(
+    '**和这一课有关的检查提示。** 你的程序旁边出现其中一条，就回来看这一课；`plc.explain("{code}")`举例说明一条。',
+    "**What the checker says about this lesson.** If one of these stands beside your list, this is the lesson to read again; "
+    '`plc.explain("{code}")` shows one of them with examples.',
+)
+SAID = """from plcteach.core.diagnostic import RULES
+
+{{rule.code: rule.why.in_(plc.language()) for rule in RULES.values() if rule.lesson == {lesson}}}"""
 
 CHOSEN: dict[int, dict[str, Text]] = {
     0: {
@@ -261,7 +271,7 @@ def families_of(lesson: int) -> list[str]:
 
 
 def end_of_lesson(lesson: int, lang: str, books: str) -> list[Any]:
-    """Make the cells of one lesson's exercises; `books` are links to where all of them stand."""
+    """Make the cells of one lesson's exercises and messages; `books` are links to where all exercises stand."""
     cells = [new_markdown_cell(f"{HEAD.in_(lang)}\n\n{RUN.in_(lang)}")]
     several = len({exercise(name).dialect for name in CHOSEN[lesson]}) > 1
     for name, why in CHOSEN[lesson].items():
@@ -271,6 +281,9 @@ def end_of_lesson(lesson: int, lang: str, books: str) -> list[Any]:
         cells.append(new_code_cell(f'plc.desk("{name}")'))
     cells.append(new_markdown_cell(ALL.in_(lang).format(books=books)))
     cells.append(new_code_cell(FURTHER.format(lesson=lesson)))
+    code = next(rule.code for rule in RULES.values() if rule.lesson == lesson)
+    cells.append(new_markdown_cell(MESSAGES.in_(lang).format(code=code)))
+    cells.append(new_code_cell(SAID.format(lesson=lesson)))
     return cells
 
 

@@ -281,9 +281,17 @@ def test_a_lesson_ends_with_the_list_of_all_its_exercises_and_the_books_that_hav
     cells = _end(name)
     lesson = int(name[3:5])
     wanted = {one: exercise(one).title.in_(name[:2]) for one in ids() if exercise(one).lesson == lesson}
-    assert ast.literal_eval(cells[-1].outputs[0].data["text/plain"]) == wanted
-    linked = re.findall(r"\]\(exercises-([\w-]+)\.ipynb\)", cells[-2].source)
+    assert ast.literal_eval(cells[-3].outputs[0].data["text/plain"]) == wanted
+    linked = re.findall(r"\]\(exercises-([\w-]+)\.ipynb\)", cells[-4].source)
     assert sorted(linked) == sorted({exercise(one).dialect for one in wanted})
+
+
+@pytest.mark.parametrize("name", EDITIONS)
+def test_every_diagnostic_that_names_a_lesson_is_found_in_a_cell_of_it(name):
+    said = ast.literal_eval(_end(name)[-1].outputs[0].data["text/plain"])
+    lesson = int(name[3:5])
+    assert said == {rule.code: rule.why.in_(name[:2]) for rule in RULES.values() if rule.lesson == lesson}
+    assert re.search(r'plc\.explain\("(\w+)"\)', _end(name)[-2].source)[1] in said
 
 
 @pytest.mark.parametrize("name", [*MADE, *EDITIONS, "index.ipynb"])

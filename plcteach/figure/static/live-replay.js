@@ -64,3 +64,10 @@ export function showTape(view, inputs, { tape, held }, figure, lang) {
   view.shown = Boolean(tape);
   syncLatches(inputs, held, view.shown);
 }
+
+/** Offers the inputs of the run as a file. */
+export function saveTimeline(text, name) {
+  const address = URL.createObjectURL(new Blob([text], { type: "text/plain;charset=utf-8" }));
+  h("a", { href: address, download: name || "timeline.txt" }).click();
+  setTimeout(() => URL.revokeObjectURL(address), 10000);
+}

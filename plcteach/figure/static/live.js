@@ -1,16 +1,17 @@
 // Knows the live bench: it asks the kernel for the next scans, sends what was pressed, and shows the answer; no request, no run.
 
-import { guardKeys, h, icon, recall, remember, say } from "./ui.js";
-import { buildLadder, lightLadder, makeLadderView } from "./ladder-view.js";
+import { guardKeys, h, recall, remember, say } from "./ui.js";
+import { buildLadder, makeLadderView } from "./ladder-view.js";
 import { mountBlocks } from "./block-view.js";
 import { mountPlayer } from "./player.js";
-import { buildLiveChart, drawLiveChart, makeLiveChart } from "./live-chart.js";
-import { buildInputs, buildShows, listenToNumbers, makeInputs, makeShows, showInputs, showShows } from "./live-io.js";
-import { buildStatusList, makeStatusList, showStatusList } from "./live-list.js";
-import { drawPlant, makePlantView, showPlant } from "./plant-view.js";
+import { buildLiveChart, makeLiveChart } from "./live-chart.js";
+import { buildInputs, buildShows, listenToNumbers, makeInputs, makeShows } from "./live-io.js";
+import { buildStatusList, makeStatusList } from "./live-list.js";
+import { drawPlant, makePlantView } from "./plant-view.js";
 import { levelChoice, liveWord, showFrozen, showRunning, writeBar } from "./live-bar.js";
-import { makeTape, showTape, writeTape } from "./live-replay.js";
-import { MOST_MS, freshNews, takeBatch, timeWords, trimTracks } from "./live-shape.js";
+import { showMoment } from "./live-moment.js";
+import { makeTape, saveTimeline, writeTape } from "./live-replay.js";
+import { MOST_MS, freshNews, takeBatch, trimTracks } from "./live-shape.js";
 
 const FOLDS = ["plant", "ladder", "list", "blocks", "chart"];
 const HISTORY_MS = 600000;
@@ -36,7 +37,7 @@ export function mountLive(root, { cast, send, lang, size = 1, compact = false })
   return {
     take: (message) => takeAnswer(bench, message),
     cast: (next) => (Object.assign(bench, { cast: next, news: freshNews() }), writeBench(bench), ask(bench, { type: "look", anew: true })),
-    lang: (next) => (Object.assign(bench, { lang: next }), writeBench(bench), redraw(bench)),
+    lang: (next) => (Object.assign(bench, { lang: next }), writeBench(bench), showMoment(bench)),
     destroy: () => {
       halt(bench);
       clearTimeout(bench.patience);
@@ -105,7 +106,7 @@ function writePanels(bench) {
     panel.addEventListener("toggle", () => {
       bench.folds[name] = panel.open;
       remember("live-folds", bench.folds);
-      if (panel.open) redraw(bench);
+      if (panel.open) showMoment(bench);
     });
     bench.panels[name] = panel;
     return panel;
@@ -113,7 +114,7 @@ function writePanels(bench) {
   bench.body.replaceChildren(...panels);
   if (bench.panels.list) bench.panels.list.querySelector("summary").after(levelChoice(bench, () => {
     buildStatusList(bench.list, bench.cast, bench.lang, bench.levels);
-    redraw(bench);
+    showMoment(bench);
   }));
 }
 
@@ -159,7 +160,7 @@ function takeAnswer(bench, message) {
   bench.news = takeBatch(bench.news, message);
   trimTracks(bench.news.tracks, bench.news.end - HISTORY_MS);
   if (bench.running && message.tape?.over) halt(bench);
-  redraw(bench);
+  showMoment(bench);
   if (message.anew && message.tape) start(bench);
 }
 
@@ -280,42 +281,4 @@ function thaw(bench) {
   bench.stage.hidden = true;
   bench.figure.classList.remove("plc-live-frozen");
   showFrozen(bench, false);
-}
-
-/** Offers the inputs of the run as a file. */
-function saveTimeline(text, name) {
-  const address = URL.createObjectURL(new Blob([text], { type: "text/plain;charset=utf-8" }));
-  h("a", { href: address, download: name || "timeline.txt" }).click();
-  setTimeout(() => URL.revokeObjectURL(address), 10000);
-}
-
-// the picture of a moment
-
-/** Shows what is known. */
-function redraw(bench) {
-  const { news, lang, parts, panels } = bench;
-  const open = (name) => panels[name]?.open;
-  parts.past.min = news.first;
-  parts.past.max = Math.max(news.first, news.scans - 1);
-  parts.past.value = bench.at ?? news.scans - 1;
-  const words = liveWord("time", lang).replace("{}", timeWords(news.now)).replace("{n}", news.scan + 1);
-  parts.time.textContent = news.scans ? words : "";
-  parts.past.setAttribute("aria-valuetext", words);
-  if (news.scans) showTape(bench.tape, bench.inputs, news, bench.figure, lang);
-  showInputs(bench.inputs, news.bits, news.forced);
-  showShows(bench.lamps, news.bits);
-  showShows(bench.words, news.words);
-  if (open("ladder")) lightLadder(bench.rungs, new Set(news.lit));
-  if (open("list")) showStatusList(bench.list, news.lines);
-  if (open("blocks")) bench.blocks.show(Object.values(news.faces), lang);
-  if (open("chart")) drawLiveChart(bench.chart, news);
-  if (open("plant") && news.plant) showPlant(bench.plant, news.plant, lang);
-  showFaults(bench);
-}
-
-/** Says what has gone wrong, each thing once. */
-function showFaults({ news, lang, faults }) {
-  const said = news.found.map((one) => say(one, lang));
-  if (faults.textContent === said.join("")) return;
-  faults.replaceChildren(...said.map((words) => h("p", {}, icon("flag"), " ", words)));
 }
