@@ -5,6 +5,7 @@ from __future__ import annotations
 import io
 import json
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -690,6 +691,19 @@ def test_check_for_people_says_the_status_and_shows_the_inputs(call, lang: str) 
     assert (done.code, done.err) == (1, "")
     assert {"en": "different", "zh": "不同"}[lang] in done.out
     assert "I0.0" in done.out
+
+
+@pytest.mark.parametrize(("lang", "held"), [("en", "hold"), ("zh", "保持")])
+def test_check_tells_a_difference_in_time_as_a_chart_and_not_scan_by_scan(call, lang: str, held: str) -> None:
+    """A timer of 4.9 s for one of 5 s: fifty scans of 100 ms are two columns, and a scan's length is no input."""
+    timer = "LD I0.0\nTON T37, {}\nLD T37\n= Q0.0\n"
+    files = call.save("p.stl", timer.format(49)), call.save("r.stl", timer.format(50))
+    done = call("check", files[0], "--reference", files[1], "--dialect", "s7-200", "--lang", lang)
+    assert (done.code, done.err) == (1, "")
+    head, inputs = done.out.splitlines()[1:3]
+    assert head.split()[:3] == [held, "4.9", "s"]
+    assert re.fullmatch(r"I0\.0 +#+ #+", inputs)
+    assert len(done.out.splitlines()) == 5
 
 
 # explain, figure, play, sheet

@@ -38,8 +38,12 @@ def looked_at(exercise: Exercise) -> Program:
 
 def seen(exercise: Exercise) -> tuple[Ladder, ...]:
     """Give the ladder that a task is about, where it is given as a drawing."""
-    given = exercise.given or exercise.reference
-    return (read_drawing(given)[0],) if is_drawing(given) else ()
+    return drawing(exercise.given or exercise.reference)
+
+
+def drawing(text: str) -> tuple[Ladder, ...]:
+    """Read a ladder as it is drawn; nothing where a text is no drawing."""
+    return (read_drawing(text)[0],) if is_drawing(text) else ()
 
 
 _HALVES = re.compile("[\ud800-\udfff]")
@@ -57,7 +61,7 @@ def refused(text: str) -> tuple[Diagnostic, ...]:
     return () if next(rows(text), None) else (rule("KND011").at(Span(1)),)
 
 
-_COMMENT = re.compile(r"//.*|#{2,}\s*(?:BEGIN|END)\b.*")
+_COMMENT = re.compile(r"//.*|#+\s*(?:BEGIN|END)\b.*")
 
 
 def rows(text: str) -> Iterator[tuple[int, str]]:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from plcteach.check.judge import model
 from plcteach.check.kinds import KINDS
-from plcteach.check.marks import CAPPED, HALF, weights_of
+from plcteach.check.marks import CAPPED, HALF, NAMES, weights_of
 from plcteach.core.text import Text
 
 if TYPE_CHECKING:
@@ -19,7 +19,6 @@ if TYPE_CHECKING:
 _QUARTERS = (1, 2, 3, 4)
 _OUTPUT = Text("输出{address}", "output {address}")
 _WHOLE = Text("所有输出", "all outputs")
-_NEEDS = Text("题目要求", "requirements")
 _QUARTER = Text("{name}，达到{share}%", "{name}, {share} % of it")
 
 
@@ -45,7 +44,7 @@ def cases_of(judgement: Judgement) -> Iterator[Case]:
     equal = judgement.verdict.status == "equal"
     weights = weights_of(exercise)
     if exercise.needs and "needs" not in weights:
-        yield Case(_NEEDS, round(whole * (1 - CAPPED), 4), equal and not judgement.says)
+        yield Case(NAMES["needs"], round(whole * (1 - CAPPED), 4), equal and not judgement.says)
         whole *= CAPPED
     for (name, weight), part in zip(weights.items(), judgement.parts, strict=True):
         points = whole * weight

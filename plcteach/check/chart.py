@@ -9,12 +9,12 @@ Q0.1 yours      #####  ______  <- differs
 from __future__ import annotations
 
 import itertools
-import unicodedata
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Literal
 
 from plcteach.core.text import NOTHING, Text, same
 from plcteach.figure.face import lasting
+from plcteach.ladder.symbols import columns as columns_of
 from plcteach.machine.scan import SCAN_MS
 
 if TYPE_CHECKING:
@@ -119,7 +119,7 @@ def chart_of(verdict: Verdict) -> Chart | None:
     example = verdict.counterexample
     if example is None or not example.inputs:
         return None
-    inputs = list(_held(example))
+    inputs = held(example)
     columns = _merged(example, inputs)
     shown = columns[-MOST_COLUMNS:]
     at = max(number for number, one in enumerate(shown) if one.first <= max(example.scan, shown[0].first))
@@ -131,27 +131,38 @@ def chart_of(verdict: Verdict) -> Chart | None:
         for name in (few if others else names)
     ]
     rows += [row for address in _outputs(example) for row in _pair(example, address, shown)]
-    timed = any("ms" in row for row in example.inputs)
-    return Chart(tuple(shown), tuple(rows), at, timed, len(columns) - len(shown), others)
+    return Chart(tuple(shown), tuple(rows), at, timed(example), len(columns) - len(shown), others)
 
 
-def _held(example: Counterexample) -> Iterator[dict[str, str]]:
-    """Give the inputs of each scan, those that are not named again included."""
-    now: dict[str, str] = {}
+def held(example: Counterexample) -> list[dict[str, str]]:
+    """Give the inputs of each scan, those that are not named again included; a scan's length is no input."""
+    rows: list[dict[str, str]] = []
     for row in example.inputs:
-        now = {**now, **{name: str(value) for name, value in row.items() if name != "ms"}}
-        yield now
+        rows.append({**(rows[-1] if rows else {}), **{name: str(value) for name, value in row.items() if name != "ms"}})
+    return rows
+
+
+def timed(example: Counterexample) -> bool:
+    """Say whether a counterexample tells of times, and not only of scans."""
+    return any("ms" in row for row in example.inputs)
+
+
+def passed(example: Counterexample) -> int:
+    """Give the ms from the first scan to the first difference; 0 where no times are told."""
+    if not timed(example):
+        return 0
+    return sum(row.get("ms", SCAN_MS) for row in example.inputs[1 : example.scan + 1])
 
 
 def _merged(example: Counterexample, inputs: Sequence[Mapping[str, str]]) -> list[Column]:
     """Put scans together in which nothing changes, with the time from the first of them to the next that is another."""
-    timed = any("ms" in row for row in example.inputs)
+    told = timed(example)
     lasts = [row.get("ms", SCAN_MS) for row in example.inputs[1:]]
     starts = [0, *(number for number in range(1, len(inputs)) if _changes(example, inputs, number)), len(inputs)]
     found = []
     for first, stop in itertools.pairwise(starts):
         ms = sum(lasts[first : min(stop, len(lasts))])
-        found.append(Column(first, stop - first, ms if timed and (stop < len(inputs) or stop - first > 1) else None))
+        found.append(Column(first, stop - first, ms if told and (stop < len(inputs) or stop - first > 1) else None))
     return found
 
 
@@ -188,10 +199,10 @@ def _lines(chart: Chart, lang: str) -> Iterator[str]:
         hold.in_(lang) if chart.timed else str(one.scans) for one, hold in zip(chart.columns, chart.holds, strict=True)
     ]
     values = [row.values for row in chart.rows]
-    widths = [max(4, wide(hold), *(len(row[at]) for row in values)) for at, hold in enumerate(holds)]
+    widths = [max(4, columns_of(hold), *(len(row[at]) for row in values)) for at, hold in enumerate(holds)]
     head = (_HOLD if chart.timed else _SCANS).in_(lang)
     labels = [row.label.in_(lang) for row in chart.rows]
-    room = max(map(wide, [head, *labels])) + 2
+    room = max(map(columns_of, [head, *labels])) + 2
     yield _MORE.format(count=chart.left).in_(lang) if chart.left else ""
     yield _padded(head, room) + " ".join(map(_padded, holds, widths)).rstrip()
     for row, label in zip(chart.rows, labels, strict=True):
@@ -205,10 +216,5 @@ def _sign(value: str, width: int) -> str:
     return _BITS[value] * width if value in _BITS else value.ljust(width)
 
 
-def wide(words: str) -> int:
-    """Count the columns that words take in type of one width: a Chinese sign takes two."""
-    return sum(2 if unicodedata.east_asian_width(sign) in "WF" else 1 for sign in words)
-
-
 def _padded(words: str, width: int) -> str:
-    return words + " " * (width - wide(words))
+    return words + " " * (width - columns_of(words))

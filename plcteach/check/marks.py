@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from plcteach.core.exercise import Exercise
     from plcteach.core.verdict import Verdict
 
-_NAMES = {
+NAMES = {
     "outputs": Text("输出", "outputs"),
     "steps": Text("步骤", "steps"),
     "style": Text("写法", "style"),
@@ -38,7 +38,7 @@ def parted(exercise: Exercise, shares: Mapping[str, float], *, capped: bool = Fa
     scale = most / reached if reached > most else 1.0
     parts = tuple(
         Part(
-            _NAMES[name],
+            NAMES[name],
             round(exercise.points * weight * shares.get(name, 0.0) * scale, 2),
             round(exercise.points * weight, 2),
         )

@@ -4,16 +4,14 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from plcteach.check.against import verdict_on
-from plcteach.check.answers import text_of
+from plcteach.check.against import reference, verdict_on
+from plcteach.check.answers import drawing, text_of
 from plcteach.check.judgement import Judgement
 from plcteach.check.marks import parted, shares_of
 from plcteach.check.needs import unmet
 from plcteach.core.text import Text
 from plcteach.core.verdict import Verdict
-from plcteach.ladder.picture import read_drawing
-from plcteach.ladder.telling import is_drawing
-from plcteach.stl import read
+from plcteach.stl import read, write
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -49,5 +47,9 @@ def judged_program(
 
 def drawn(exercise: Exercise) -> tuple[Ladder, ...]:
     """Give the ladder that the list is to be written for: the reference's drawing, unless it is to stay hidden."""
-    texts = (exercise.given, "" if exercise.hidden else exercise.reference)
-    return tuple(read_drawing(text)[0] for text in texts if text and is_drawing(text))[:1]
+    return drawing(exercise.given) or drawing("" if exercise.hidden else exercise.reference)
+
+
+def written(exercise: Exercise) -> str:
+    """Give the first right sample, else the reference as a list."""
+    return exercise.right[0] if exercise.right else write(reference(exercise.reference, exercise.dialect))

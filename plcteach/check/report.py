@@ -6,17 +6,18 @@ from dataclasses import dataclass
 from html import escape
 from typing import TYPE_CHECKING, Any, Literal
 
-from plcteach.check.chart import chart_of
+from plcteach.check.chart import chart_of, held, passed
 from plcteach.check.judge import shown
 from plcteach.core.diagnostic import errors
 from plcteach.core.text import NOTHING, Text
+from plcteach.figure.face import lasting
 
 if TYPE_CHECKING:
     from plcteach.check.chart import Chart
     from plcteach.check.chart import Row as ChartRow
     from plcteach.check.judgement import Judgement
     from plcteach.core.diagnostic import Diagnostic
-    from plcteach.core.verdict import Verdict
+    from plcteach.core.verdict import Counterexample, Verdict
 
 
 @dataclass(frozen=True, slots=True)
@@ -48,10 +49,8 @@ def table(verdict: Verdict) -> list[Row]:
     example = verdict.counterexample
     if example is None:
         return []
-    inputs: dict[str, int] = {}
-    for scan in example.inputs:
-        inputs.update(scan)
-    rows = [Row(address, "input", str(value), _LABELS["input"]) for address, value in inputs.items()]
+    inputs = held(example)[example.scan]
+    rows = [Row(address, "input", value, _LABELS["input"]) for address, value in inputs.items()]
     for address, wanted in example.expected[example.scan].items():
         got = example.got[example.scan][address]
         rows.append(Row(address, "expected", wanted, _LABELS["expected"]))
@@ -101,16 +100,16 @@ _NOT_KNOWN = Text(
 )
 _WORDS = {
     "program": Text(
-        "当{inputs}时，{address}应为{expected}，你的程序给出{got}{scan}。",
-        "With {inputs}, {address} should be {expected}; your program gives {got}{scan}.",
+        "{when}，{address}应为{expected}，你的程序给出{got}{scan}。",
+        "{when}, {address} should be {expected}; your program gives {got}{scan}.",
     ),
     "never": Text(
-        "当{inputs}时，{address}成立，而这绝不允许出现{scan}。",
-        "With {inputs}, {address} holds, and that must never be{scan}.",
+        "{when}，{address}成立，而这绝不允许出现{scan}。",
+        "{when}, {address} holds, and that must never be{scan}.",
     ),
     "match": Text(
-        "当{inputs}时，程序使{address}为{expected}，这个梯形图使它为{got}{scan}。",
-        "With {inputs}, the list makes {address} {expected}, and this ladder makes it {got}{scan}.",
+        "{when}，程序使{address}为{expected}，这个梯形图使它为{got}{scan}。",
+        "{when}, the list makes {address} {expected}, and this ladder makes it {got}{scan}.",
     ),
 }
 
@@ -167,15 +166,30 @@ def _different(verdict: Verdict, words: Text) -> Text:
     example = verdict.counterexample
     if example is None:
         return Text("与参考不同。", "It differs from the reference.")
-    inputs = ", ".join(f"{row.address}={row.value}" for row in table(verdict) if row.kind == "input")
     later = Text(f"（第{example.scan + 1}个扫描）", f" (scan {example.scan + 1})") if example.scan else NOTHING
     return words.format(
-        inputs=inputs,
+        when=_when(example),
         address=example.address,
         expected=example.expected[example.scan][example.address],
         got=example.got[example.scan][example.address],
         scan=later,
     )
+
+
+_WHEN = {
+    (True, False): Text("当{inputs}时", "With {inputs}"),
+    (True, True): Text("{time}后，当{inputs}时", "After {time}, with {inputs}"),
+    (False, True): Text("{time}后", "After {time}"),
+    (False, False): Text("没有任何输入", "Without any input"),
+}
+
+
+def _when(example: Counterexample) -> Text:
+    """Say when two programs differ: with which inputs, and how long after the first scan where times matter."""
+    values = held(example)[example.scan]
+    inputs = ", ".join(f"{address}={value}" for address, value in values.items())
+    ms = passed(example)
+    return _WHEN[bool(inputs), bool(ms)].format(inputs=inputs, time=lasting(ms))
 
 
 def verdict_json(judgement: Judgement) -> dict[str, Any]:
@@ -254,7 +268,7 @@ def _chart_html(chart: Chart, lang: str) -> str:
     """Write the chart as a table, which every reader shows and reads aloud."""
     holds = "".join(f'<th scope="col" style="{_CELL}">{escape(one.in_(lang))}</th>' for one in chart.holds)
     body = "".join(_chart_row(row, lang) for row in chart.rows)
-    return f"<table><tr><th></th>{holds}</tr>{body}</table>"
+    return f"<table><tr><td></td>{holds}</tr>{body}</table>"
 
 
 def _grid_html(judgement: Judgement, lang: str) -> str:
@@ -269,7 +283,7 @@ def _grid_html(judgement: Judgement, lang: str) -> str:
         + "</tr>"
         for row, (name, signs) in enumerate(zip(sheet.rows, judgement.grid, strict=True))
     )
-    return f"<table><tr><th></th>{head}</tr>{body}</table>"
+    return f"<table><tr><td></td>{head}</tr>{body}</table>"
 
 
 def _cell_html(value: str, *, wrong: bool) -> str:

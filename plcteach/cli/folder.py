@@ -9,12 +9,13 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from plcteach.check.files import no_text, unread
 from plcteach.check.lint import lint
 from plcteach.core.diagnostic import Diagnostic, rule
 from plcteach.core.errors import NotRepresentableError
 from plcteach.core.program import Program
 from plcteach.core.source import MOST_CHARACTERS, Span, decode
-from plcteach.core.text import NOTHING, Text, same
+from plcteach.core.text import NOTHING, Text
 from plcteach.dialects import families
 from plcteach.ladder.either import read_either
 from plcteach.stl.symbols import is_symbols, read_symbols
@@ -29,8 +30,6 @@ _NO_PROGRAMS = re.compile(
     r"bmp|css|docx?|exe|gif|html?|ini|ipynb|jpe?g|js|json|md|mp4|pdf|png|pptx?|pyc?|rst|svg|toml|xlsx?|ya?ml|zip"
 )
 _MOST_BYTES = 4 * MOST_CHARACTERS + 1
-_ENOUGH_BYTES = 8_192
-_MARKS = (b"\xff\xfe", b"\xfe\xff")
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,19 +48,19 @@ def lint_files(
     """Lint one file after the other in order of name, behind a progress bar where a person sits at the terminal."""
     from tqdm import tqdm
 
-    unread: list[OSError] = []
-    files = sorted(_files(folder, unread))
+    troubles: list[OSError] = []
+    files = sorted(_files(folder, troubles))
     with tqdm(files, file=sys.stderr, disable=None, leave=False, unit="") as bar:
         for path in bar:
             yield _linted(path, path.relative_to(folder).as_posix(), (family, symbols), encoding)
-    for trouble in unread:
+    for trouble in troubles:
         name = Path(os.fsdecode(trouble.filename or folder)).relative_to(folder).as_posix()
-        yield Linted(name, Program(family, ()), (_unread(trouble),))
+        yield Linted(name, Program(family, ()), (unread(trouble),))
 
 
-def _files(folder: Path, unread: list[OSError]) -> Iterator[Path]:
+def _files(folder: Path, troubles: list[OSError]) -> Iterator[Path]:
     """Give the files that may be programs, hidden ones and hidden folders left out."""
-    for where, folders, names in os.walk(folder, onerror=unread.append):
+    for where, folders, names in os.walk(folder, onerror=troubles.append):
         folders[:] = [name for name in folders if not name.startswith((".", "__"))]
         for name in names:
             path = Path(where, name)
@@ -76,7 +75,7 @@ def _linted(path: Path, name: str, how: tuple[Dialect, Symbols | None], encoding
         with path.open("rb") as file:
             data = file.read(_MOST_BYTES)
     except OSError as trouble:
-        return Linted(name, nothing, (_unread(trouble),))
+        return Linted(name, nothing, (unread(trouble),))
     if no_text(data):
         return Linted(name, nothing, (rule("FIL002").at(Span(1)),))
     text = decode(data, encoding)
@@ -89,15 +88,6 @@ def _linted(path: Path, name: str, how: tuple[Dialect, Symbols | None], encoding
         return Linted(name, nothing, (told,))
     found = lint(program)
     return Linted(name, program if found else nothing, found, _other(found, family))
-
-
-def no_text(data: bytes) -> bool:
-    """Say whether bytes are not the text of a program, as those of a project file are not."""
-    return b"\0" in data[:_ENOUGH_BYTES] and not data.startswith(_MARKS)
-
-
-def _unread(trouble: OSError) -> Diagnostic:
-    return rule("FIL001").at(Span(1), reason=same(trouble.strerror or type(trouble).__name__))
 
 
 def _other(found: tuple[Diagnostic, ...], family: Dialect) -> Text:

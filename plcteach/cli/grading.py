@@ -84,9 +84,11 @@ def _say_done(graded: Graded, task: Exercise, out: Path, options: argparse.Names
         results: Any = json.loads((out / "results.json").read_text(encoding="utf-8"))
         print_json(results)
         return
+    from plcteach.check.marking.classpage import NOBODY
+
     count, marks = len(graded.rows), [row.mark.marks for row in graded.rows]
     if not count:
-        print(say("这个文件夹里没有可批改的文件。", "There is nothing to grade in this folder."))
+        print(NOBODY.in_(language()))
     else:
         mean, full = sum(marks) / count, sum(mark >= task.points for mark in marks)
         print(

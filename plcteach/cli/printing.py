@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import json
 import sys
-import unicodedata
 from typing import TYPE_CHECKING, Any
 
+from plcteach.check.chart import chart_of
 from plcteach.check.report import summary
 from plcteach.core.diagnostic import errors
 from plcteach.core.source import printable, rows_of
 from plcteach.core.text import Text, language
+from plcteach.ladder.symbols import columns
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -89,6 +90,10 @@ def print_verdict(verdict: Verdict) -> None:
     example = verdict.counterexample
     if example is None:
         return
+    chart = chart_of(verdict)
+    if chart and chart.timed:
+        print("\n".join(line.in_(language()) for line in chart.lines))
+        return
     inputs = sorted({name for row in example.inputs for name in row})
     held: dict[str, int] = {}
     table = []
@@ -116,7 +121,9 @@ def print_findings(found: Sequence[Diagnostic], source: Program | str) -> None:
             row = printable(rows[one.span.row - 1][:200])
             print(f"    {row}")
             print(
-                "    " + " " * _width(row[: one.span.start]) + "^" * max(1, _width(row[one.span.start : one.span.stop]))
+                "    "
+                + " " * columns(row[: one.span.start])
+                + "^" * max(1, columns(row[one.span.start : one.span.stop]))
             )
         for note in one.notes:
             print(f"    {note.span.row}: {note.text.in_(lang)}")
@@ -160,7 +167,7 @@ def _first(found: Sequence[Diagnostic]) -> str:
     if one is None:
         return ""
     words = f"{one.span.row}: {one.code} {one.text.in_(language())}"
-    while _width(words) > _ROOM:
+    while columns(words) > _ROOM:
         words = f"{words[:-2]}…"
     return words
 
@@ -168,13 +175,9 @@ def _first(found: Sequence[Diagnostic]) -> str:
 _ROOM = 60
 
 
-def _width(text: str) -> int:
-    return sum(2 if unicodedata.east_asian_width(sign) in "WF" else 1 for sign in text)
-
-
 def print_table(head: Sequence[object], rows: Sequence[Sequence[object]]) -> None:
     """Print rows in columns, wide characters counted as two."""
     cells = [[str(cell) for cell in row] for row in (head, *rows)]
-    widths = [max(_width(row[column]) for row in cells) for column in range(len(head))]
+    widths = [max(columns(row[column]) for row in cells) for column in range(len(head))]
     for row in cells:
-        print("  ".join(cell + " " * (width - _width(cell)) for cell, width in zip(row, widths, strict=True)).rstrip())
+        print("  ".join(cell + " " * (width - columns(cell)) for cell, width in zip(row, widths, strict=True)).rstrip())

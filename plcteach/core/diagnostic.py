@@ -2355,6 +2355,19 @@ _ROWS = (
         Text("还没有填。从第一行开始吧？", "Nothing is filled in yet. What comes first?"),
         Text("空着的答案没有什么可以判断。", "There is nothing to judge in an empty answer."),
     ),
+    Rule(
+        "KND012",
+        "gaps-overfilled",
+        "error",
+        Text(
+            "空处一共填进了{got}行，而这里最多填{most}行。给出的行能做哪一部分工作？",
+            "{got} lines are filled in, and there is room for {most} at the most. Which part of the work do the given lines do?",
+        ),
+        Text(
+            "填空是补上缺的几行，不是在给出的行旁边另写一个程序。",
+            "A gap is for the few lines that are missing, not for another program beside the one that is given.",
+        ),
+    ),
 )
 
 RULES: dict[str, Rule] = {row.code: row for row in _ROWS}

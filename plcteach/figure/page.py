@@ -6,6 +6,11 @@ import re
 from functools import cache
 from pathlib import Path
 
+from plcteach.core.text import Text
+
+FOOT = Text("这是教学用的模型，不是真实的PLC。", "This is a model for teaching, not the hardware.")
+"""What stands at the foot of every page that leaves the house."""
+
 STATIC = Path(__file__).parent / "static"
 
 _IMPORT = re.compile(r'^import [^\n]*?from "\./(?P<name>[\w./-]+)";\n', re.MULTILINE)

@@ -13,6 +13,7 @@ from plcteach.core.errors import PlcTeachError
 
 _PACKAGE = Path(__file__).parents[1]
 _INDEX = "index.ipynb"
+_SUFFIXES = {".ipynb", ".md", ".png", ".py"}
 
 
 def _source() -> Path:
@@ -25,8 +26,8 @@ def _source() -> Path:
 
 
 def _files(source: Path) -> list[Path]:
-    """List the lessons and their pictures, relative to their folder."""
-    found = [path for path in source.rglob("*") if path.suffix in {".ipynb", ".png"} and path.is_file()]
+    """List the lessons, their pictures, and what the example course needs beside its notebooks, relative to their folder."""
+    found = [path for path in source.rglob("*") if path.suffix in _SUFFIXES and path.is_file()]
     return sorted(path.relative_to(source) for path in found if ".ipynb_checkpoints" not in path.parts)
 
 

@@ -6,17 +6,13 @@ from html import escape
 from typing import TYPE_CHECKING
 
 from plcteach.core.text import Text, language
-from plcteach.figure.page import script, styles
+from plcteach.figure.page import FOOT, script, styles
 
 if TYPE_CHECKING:
     from plcteach.figure.families import Together
     from plcteach.figure.film import Film
 
 _POLICY = "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data:"
-_FOOT = Text(
-    "这是教学用的模型，不是真实的PLC。",
-    "This is a model for teaching, not the hardware.",
-)
 
 
 def player_page(film: Film, lang: str | None = None) -> str:
@@ -36,9 +32,9 @@ def _page(shown: Film | Together, lang: str | None, module: str, *, mount: str, 
         policy=_POLICY,
         title=escape(Text(**shown.data["title"]).in_(lang)),
         styles=styles("player.css"),
-        foot=escape(_FOOT.in_(lang)),
-        zh=escape(_FOOT.zh),
-        en=escape(_FOOT.en),
+        foot=escape(FOOT.in_(lang)),
+        zh=escape(FOOT.zh),
+        en=escape(FOOT.en),
         data=shown.json.replace("<", "\\u003c"),
         script=script(module).replace("</", "<\\/"),
         language=lang,

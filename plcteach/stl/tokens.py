@@ -26,6 +26,7 @@ _HEADING = re.compile(
     r"\s*(?:NETWORK|RUNG|网络|程序段|梯级)\s*(?P<number>\d{0,9})\s*(?P<rest>(?![\w.]).*)", re.IGNORECASE
 )
 _WRAPPER = re.compile(r"\s*(?:BEGIN\s*|TITLE\s*=.*|AUTHOR\s*:.*|VERSION\s*:.*)", re.IGNORECASE)
+_SOLUTION = re.compile(r"\s*(?:###.*|#\s*(?:BEGIN|END)\s+SOLUTION\b.*)", re.IGNORECASE)
 _BLOCK = re.compile(
     r"\s*(?P<end>END_)?(?P<kind>ORGANIZATION|SUBROUTINE|INTERRUPT)_BLOCK\b\s*(?P<name>[^:/(]*)(?P<rest>.*)",
     re.IGNORECASE,
@@ -100,7 +101,7 @@ class _Cutter:
         """Take a row that is no instruction: a block's beginning or end, a heading, a wrapper's row."""
         if self.bounds(number, plain, given) or self.heading(number, plain, given):
             return True
-        return bool(_WRAPPER.fullmatch(plain)) or plain.lstrip().startswith("###")
+        return bool(_WRAPPER.fullmatch(plain)) or bool(_SOLUTION.fullmatch(plain))
 
     def bounds(self, number: int, plain: str, given: str) -> bool:
         """Enter or leave a block of an exported project; only a subroutine has a name that the lists must keep."""

@@ -120,7 +120,7 @@ def _table(sheet: Sheet) -> str:
     rows = "".join(
         f"<tr><td><code>{escape(one)}</code></td>{'<td></td>' * len(sheet.columns)}</tr>" for one in sheet.rows
     )
-    return f"<table><tr><th></th>{head}</tr>{rows}</table>"
+    return f"<table><tr><td></td>{head}</tr>{rows}</table>"
 
 
 def course_of(exercise: Exercise, sheet: Sheet) -> Any:

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from plcteach.check.chart import MOST_COLUMNS, chart_of, wide
+from plcteach.check.chart import MOST_COLUMNS, chart_of
 from plcteach.check.chart_scene import counterexample_scene
 from plcteach.check.judge import reference, verdict_on
 from plcteach.core.verdict import Counterexample, Verdict
 from plcteach.figure.scene import Words
 from plcteach.figure.svg import svg
+from plcteach.ladder.symbols import columns
 
 
 def verdict(wanted: str, got: str) -> Verdict:
@@ -81,7 +82,7 @@ def test_the_output_that_differs_comes_first_and_rows_line_up_in_both_languages(
     assert [row.address for row in chart.rows if row.kind == "got"] == ["Q0.1", "Q0.0"]
     for lang in ("zh", "en"):
         signs = [one.in_(lang).split("  <-")[0] for one in chart.lines[1:]]
-        assert len({wide(one) for one in signs}) == 1
+        assert len({columns(one) for one in signs}) == 1
 
 
 def test_a_verdict_without_a_counterexample_has_no_chart() -> None:

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 
 import pytest
 
 from plcteach.check.judge import judge, reference, verdict_on
-from plcteach.check.report import headline, table, verdict_json
+from plcteach.check.report import headline, report_html, table, verdict_json
 from plcteach.core.errors import PlcTeachError, UnknownNameError
 from plcteach.core.exercise import Exercise, Need, Terms
 from plcteach.core.text import Text
@@ -91,6 +92,38 @@ def test_a_difference_in_a_later_scan_says_which() -> None:
     assert "(scan 2)" in headline(judged).en
     assert "第2个扫描" in headline(judged).zh
     assert table(judged.verdict)[0].value == "0"
+
+
+def test_a_difference_in_time_says_after_how_long_and_no_scan_length_is_an_input() -> None:
+    """Of 5 s and 4.9 s with the same timer the second is over after 4.9 s, and not after 4.8 s."""
+    timer = "LD I0.0\nTON T37, {}\nLD T37\n= Q0.0\n"
+    judged = judge(task(timer.format(50)), timer.format(49))
+    told = headline(judged)
+    assert told.en.startswith("After 4.9 s, with I0.0=1, Q0.0 should be 0; your program gives 1")
+    assert told.zh.startswith("4.9 s后，当I0.0=1时，Q0.0应为0，你的程序给出1")
+    assert [row.address for row in table(judged.verdict)] == ["I0.0", "Q0.0", "Q0.0"]
+    desk = verdict_json(judged)
+    assert "ms" not in {row["address"] for row in desk["rows"]}
+    assert desk["headline"] == told.as_dict()
+    for lang in ("zh", "en"):
+        page = report_html(judged, lang)
+        assert told.in_(lang) in page
+        assert "ms=" not in page
+
+
+def test_a_difference_without_inputs_is_told_without_any() -> None:
+    timer = "LD SM0.0\nTON T37, {}\nLD T37\n= Q0.0\n"
+    assert headline(judge(task(timer.format(5)), timer.format(4))).en.startswith("After 400 ms, Q0.0 should be 0")
+    told = headline(judge(task("LD SM0.0\n= Q0.0\n"), "LDN SM0.0\n= Q0.0\n"))
+    assert told.en == "Without any input, Q0.0 should be 1; your program gives 0."
+    assert told.zh == "没有任何输入，Q0.0应为1，你的程序给出0。"
+
+
+def test_no_heading_of_a_report_is_empty() -> None:
+    judged = judge(task("--[ I0.0 ]--[ I0.1 ]--( Q0.0 )"), "LD I0.0\nO I0.1\n= Q0.0\n")
+    page = report_html(judged, "en")
+    assert "<th" in page
+    assert not re.search(r"<th[^>]*></th>", page)
 
 
 @pytest.mark.parametrize(

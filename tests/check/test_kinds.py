@@ -117,6 +117,7 @@ SIEMENS = "LD I0.0\nA I0.1\nLD I0.2\nAN I0.3\nOLD\n= Q0.0\n"
         ("1.\n1.\n01\n01\n1.\n1.\n", True),
         ("１　.\n１ －\n0 1 x x\n0 1\n1\n1 // stays\n", True),
         ("### BEGIN SOLUTION\n1\n1\n0 1\n0 1\n1\n1\n### END SOLUTION", True),
+        ("# BEGIN SOLUTION\n1\n1\n0 1\n0 1\n1\n1\n# END SOLUTION", True),
         ("1 .\n1 .\n0 1\n0 1\n1 1\n1 .\n", False),  # OLD takes two and leaves one
         ("1 .\n1 .\n0 1\n0 1\n0 .\n1 .\n", False),
     ],
@@ -493,6 +494,20 @@ def test_a_list_is_completed_and_what_was_given_stays() -> None:
     assert judge(one, "LD  i0.0 // first\nA I0.1\nLD I0.2\nA I0.3\nOLD\n= Q0.0\n").marks == 4
     assert shown(one).start == HOLES
     assert len(shown(one).ladders) == 1
+
+
+def test_a_gap_is_no_room_for_another_program() -> None:
+    """Two gaps take eight lines at the most, or as many as the full answer has."""
+    filled = HOLES.replace("____", "A I0.3", 1).replace("____", "OLD{}")
+    one = task("complete", reference=CHOICES[0], start=HOLES, right=(filled.format(""),))
+    assert judge(one, filled.format("\nNOT" * 6)).marks == 4
+    beside = judge(one, filled.format("\nNOT" * 8))
+    assert (codes(beside)[0], beside.marks) == ("KND012", 0)
+    assert "10 lines are filled in, and there is room for 8" in headline(beside).en
+    assert "填进了10行，而这里最多填8行" in headline(beside).zh
+    long = "\nNOT" * 12
+    wide = task("complete", reference=CHOICES[0], start=HOLES, right=(filled.format(long),))
+    assert judge(wide, filled.format(long)).marks == 4
 
 
 def test_a_fault_is_mended_with_few_edits() -> None:

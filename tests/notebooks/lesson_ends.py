@@ -31,6 +31,8 @@ MESSAGES = Text(
     "**What the checker says about this lesson.** If one of these stands beside your list, this is the lesson to read again; "
     '`plc.explain("{code}")` shows one of them with examples.',
 )
+_MANY = 12
+"""A longer list of messages is folded, so that what comes next is not pushed away."""
 SAID = """from plcteach.core.diagnostic import RULES
 
 {{rule.code: rule.why.in_(plc.language()) for rule in RULES.values() if rule.lesson == {lesson}}}"""
@@ -281,10 +283,17 @@ def end_of_lesson(lesson: int, lang: str, books: str) -> list[Any]:
         cells.append(new_code_cell(f'plc.desk("{name}")'))
     cells.append(new_markdown_cell(ALL.in_(lang).format(books=books)))
     cells.append(new_code_cell(FURTHER.format(lesson=lesson)))
-    code = next(rule.code for rule in RULES.values() if rule.lesson == lesson)
-    cells.append(new_markdown_cell(MESSAGES.in_(lang).format(code=code)))
-    cells.append(new_code_cell(SAID.format(lesson=lesson)))
-    return cells
+    return cells + messages(lesson, lang)
+
+
+def messages(lesson: int, lang: str) -> list[Any]:
+    """Make the cells with what the checker says about one lesson's matter, so that a diagnostic's lesson is a place to go to."""
+    codes = [rule.code for rule in RULES.values() if rule.lesson == lesson]
+    if not codes:
+        return []
+    said = MESSAGES.in_(lang).format(code=codes[0])
+    folded = {"jupyter": {"outputs_hidden": True}} if len(codes) > _MANY else {}
+    return [new_markdown_cell(said), new_code_cell(SAID.format(lesson=lesson), metadata=folded)]
 
 
 def woven(book: Any, lesson: int, lang: str, books: str) -> Any:

@@ -98,6 +98,16 @@ def test_copies_overwrite_nothing(tmp_path: Path) -> None:
     assert not [path for path in copies if ".ipynb_checkpoints" in path]
 
 
+def test_the_example_course_is_copied_whole(tmp_path: Path) -> None:
+    """A course folder without its configuration and its page of commands is of no use to anybody."""
+    course = lab.lessons(tmp_path / "mine") / "course"
+    told = (course / "README.md").read_text(encoding="utf-8")
+    for name in ("nbgrader_config.py", "source/ps1/stack.ipynb"):
+        assert name in told
+        assert (course / "nbgrader" / name).is_file()
+    assert (course / "otter" / "stack.ipynb").is_file()
+
+
 def test_an_installation_without_lessons_says_so(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(lab, "_PACKAGE", tmp_path / "site" / "plcteach")
     with pytest.raises(PlcTeachError, match="reinstall"):

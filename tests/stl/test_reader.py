@@ -62,6 +62,8 @@ AND = ["LD I0.0", "A I0.1", "= Q0.0"]
         "LD\xa0I0.0\nA I0.1\n= Q0.0",
         "### BEGIN SOLUTION\nLD I0.0\nA I0.1\n### END SOLUTION\n= Q0.0",
         "    ### BEGIN SOLUTION\n    LD I0.0\n    A I0.1\n    = Q0.0\n    ### END SOLUTION",
+        "# BEGIN SOLUTION\nLD I0.0\nA I0.1\n# END SOLUTION\n= Q0.0",
+        "  #BEGIN SOLUTION NO PROMPT\n  LD I0.0\n  A I0.1\n  = Q0.0\n  # end solution\n",
         "U E0.0",
     ],
 )

@@ -6,8 +6,8 @@ from typing import TYPE_CHECKING
 
 from plcteach.check.against import reference
 from plcteach.check.judgement import Judgement, Sheet
-from plcteach.check.program import drawn, judged_program
-from plcteach.stl import read, write
+from plcteach.check.program import drawn, judged_program, written
+from plcteach.stl import read
 
 if TYPE_CHECKING:
     from plcteach.core.exercise import Exercise
@@ -26,4 +26,4 @@ def judged(exercise: Exercise, answer: str | bytes) -> Judgement:
 
 def model(exercise: Exercise) -> str:
     """Give the first right sample, which mends no more than it must; else the reference as a list."""
-    return exercise.right[0] if exercise.right else write(reference(exercise.reference, exercise.dialect))
+    return written(exercise)

@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING
 
 from plcteach.check.against import reference
 from plcteach.check.judgement import Judgement, Sheet
-from plcteach.check.program import drawn, judged_program
+from plcteach.check.program import drawn, judged_program, written
 from plcteach.core.diagnostic import rule
 from plcteach.core.source import Span
-from plcteach.stl import read, write
+from plcteach.stl import read
 
 if TYPE_CHECKING:
     from plcteach.core.diagnostic import Diagnostic
@@ -19,6 +19,7 @@ if TYPE_CHECKING:
 
 BLANK = "____"
 _BLANK = re.compile(r"_{3,}[^\n]*")
+_MOST_IN_A_GAP = 4
 
 
 def shown(exercise: Exercise) -> Sheet:
@@ -30,14 +31,14 @@ def judged(exercise: Exercise, answer: str | bytes) -> Judgement:
     """Hold the completed list against the reference; a given line that is missing is an error."""
 
     def refused(program: Program) -> tuple[Diagnostic, ...]:
-        return _missing(exercise, program)
+        return _missing(exercise, program) or _overfilled(exercise, program)
 
     return judged_program(exercise, answer, reference(exercise.reference, exercise.dialect), refused)
 
 
 def model(exercise: Exercise) -> str:
     """Give the first right sample, else the reference as a list."""
-    return exercise.right[0] if exercise.right else write(reference(exercise.reference, exercise.dialect))
+    return written(exercise)
 
 
 def given_lines(exercise: Exercise) -> list[str]:
@@ -56,3 +57,14 @@ def _missing(exercise: Exercise, program: Program) -> tuple[Diagnostic, ...]:
             return (rule("KND001").at(Span(row), line=wanted),)
         at = found + 1
     return ()
+
+
+def _overfilled(exercise: Exercise, program: Program) -> tuple[Diagnostic, ...]:
+    """Find that far more was filled in than is missing: a few lines for each gap, or as many as the full answer has."""
+    given = len(given_lines(exercise))
+    full = len(read(model(exercise), exercise.dialect).lines) - given
+    most = max(_MOST_IN_A_GAP * len(_BLANK.findall(exercise.start)), full)
+    got = len(program.lines) - given
+    if got <= most:
+        return ()
+    return (rule("KND012").at(program.lines[given + most].span, got=got, most=most),)

@@ -6,12 +6,11 @@ from functools import lru_cache
 from typing import TYPE_CHECKING
 
 from plcteach.check.against import reference
+from plcteach.check.answers import drawing
 from plcteach.check.judgement import Judgement, Sheet
 from plcteach.check.program import judged_program
 from plcteach.core.text import NOTHING, Text
 from plcteach.ladder.either import read_either
-from plcteach.ladder.picture import read_drawing
-from plcteach.ladder.telling import is_drawing
 from plcteach.ladder.translate import translate
 from plcteach.stl import write
 
@@ -25,9 +24,8 @@ _TABLE = Text("地址对应：{table}", "Addresses: {table}")
 
 def shown(exercise: Exercise) -> Sheet:
     """Give the program of the other family, and which address becomes which where that is not for the learner to say."""
-    ladders = (read_drawing(exercise.given)[0],) if is_drawing(exercise.given) else ()
     program = read_either(exercise.given, exercise.source)
-    return Sheet("list", _table(exercise), program, ladders, start=exercise.start)
+    return Sheet("list", _table(exercise), program, drawing(exercise.given), start=exercise.start)
 
 
 def judged(exercise: Exercise, answer: str | bytes) -> Judgement:

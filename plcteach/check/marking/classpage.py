@@ -10,7 +10,7 @@ from plcteach.check.manual import blanks
 from plcteach.check.marking.pages import text_of
 from plcteach.check.marking.paper import bars, page, table
 from plcteach.check.marking.rows import groups, histogram, tally
-from plcteach.check.marking.tables import REPORTS, STATUSES, distinct, middle
+from plcteach.check.marking.tables import NAME, NUMBER, REPORTS, RESULT, STATUSES, WORDS, distinct, middle
 from plcteach.core.diagnostic import RULES
 from plcteach.core.misconception import MISCONCEPTIONS
 from plcteach.core.text import Text
@@ -39,10 +39,9 @@ _SAME_WHY = Text(
 )
 _OF_GROUP = Text("第{number}组：{count}人 · {result}", "Group {number}: {count} learners · {result}")
 _LETTER = Text("一字不差", "the same to the letter")
-_ALL, _NAME, _NUMBER = Text("所有人", "Everyone"), Text("姓名", "name"), Text("编号", "number")
-_RESULT, _WORDS, _GROUP = Text("结果", "result"), Text("说明", "in words"), Text("组", "group")
+_ALL, _GROUP = Text("所有人", "Everyone"), Text("组", "group")
 _NONE = Text("没有。", "None.")
-_NOBODY = Text("这个文件夹里没有可批改的文件。", "There is nothing to grade in this folder.")
+NOBODY = Text("这个文件夹里没有可批改的文件。", "There is nothing to grade in this folder.")
 _TABLES = Text("表格", "Tables")
 
 
@@ -54,7 +53,7 @@ def class_page(rows: Sequence[Row], exercise: Exercise, lang: str) -> str:
         f'<p class="quiet"><code>{escape(exercise.id)}</code> · {escape(exercise.task.in_(lang))}</p>',
     ]
     if not rows:
-        return page(title, [*body, f"<p>{escape(_NOBODY.in_(lang))}</p>"], lang)
+        return page(title, [*body, f"<p>{escape(NOBODY.in_(lang))}</p>"], lang)
     parts = (_facts, _marks, _findings, _wrong, _beliefs, _everyone, _same)
     return page(title, [*body, *(one(rows, exercise, lang) for one in parts)], lang)
 
@@ -149,7 +148,7 @@ def _letters(rows: Sequence[Row], lang: str) -> str:
 
 def _everyone(rows: Sequence[Row], exercise: Exercise, lang: str) -> str:
     kinds = ("", "short", "number", "short", "number", "")
-    heads = zip((_NAME, _NUMBER, _MARKS, _RESULT, _GROUP, _WORDS), kinds, strict=True)
+    heads = zip((NAME, NUMBER, _MARKS, RESULT, _GROUP, WORDS), kinds, strict=True)
     shown = (
         (
             _link(row),

@@ -9,10 +9,11 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from plcteach.check.files import no_text, unread
 from plcteach.check.marking.webtext import web_text
 from plcteach.core.diagnostic import Diagnostic, rule
 from plcteach.core.source import Span, decode, printable
-from plcteach.core.text import Text, same
+from plcteach.core.text import Text
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -24,8 +25,6 @@ _PLATFORM = re.compile(r"(?P<name>.+?)_(?P<number>\d+)_assignsubmission_(?:file|
 _ARCHIVES = re.compile(r"zip|rar|7z|tar|gz|tgz|bz2|xz")
 _NO_TEXTS = re.compile(r"bmp|docx?|exe|gif|heic|html?|ipynb|jpe?g|mp4|mov|odt|pdf|png|pptx?|py|svg|webp|xlsx?")
 _OF_THE_SYSTEM = {"__MACOSX", "Thumbs.db", "desktop.ini"}
-_ENOUGH_BYTES = 8_192
-_MARKS = (b"\xff\xfe", b"\xfe\xff")
 
 
 @dataclass(frozen=True, slots=True)
@@ -105,11 +104,11 @@ def _read(path: Path, encoding: str | None) -> str | Diagnostic:
         refused = _refused(path.lstat(), kind)
         data = b"" if refused else path.read_bytes()
     except OSError as trouble:
-        return _said("FIL001", reason=same(trouble.strerror or type(trouble).__name__))
+        return unread(trouble)
     if refused:
         return refused
     typed_in = "onlinetext" in path.as_posix() and kind in {"html", "htm"}
-    if _no_text(data) or (_NO_TEXTS.fullmatch(kind) and not typed_in):
+    if no_text(data) or (_NO_TEXTS.fullmatch(kind) and not typed_in):
         return _said("FIL002")
     text = decode(data, encoding)
     return web_text(text) if typed_in else text
@@ -129,10 +128,6 @@ def _refused(about: os.stat_result, kind: str) -> Diagnostic | None:
 
 
 _NO_FILE = Text("它是链接或设备，不是文件", "it is a link or a device and no file")
-
-
-def _no_text(data: bytes) -> bool:
-    return b"\0" in data[:_ENOUGH_BYTES] and not data.startswith(_MARKS)
 
 
 def _said(code: str, **values: object) -> Diagnostic:

@@ -5,15 +5,11 @@ from __future__ import annotations
 from html import escape
 from typing import TYPE_CHECKING
 
-from plcteach.core.text import Text
+from plcteach.figure.page import FOOT
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
-_FOOT = Text(
-    "这是教学用的模型，不是真实的PLC。",
-    "This is a model for teaching, not the hardware.",
-)
 _POLICY = "default-src 'none'; style-src 'unsafe-inline'; img-src data:; base-uri 'none'; form-action 'none'"
 
 _STYLE = """
@@ -63,7 +59,7 @@ def page(title: str, body: Iterable[str], lang: str) -> str:
         f'<meta http-equiv="Content-Security-Policy" content="{_POLICY}">\n'
         f"<title>{escape(title)}</title>\n<style>{_STYLE}</style>\n</head>\n<body>\n<main>\n"
         + "\n".join(body)
-        + f"\n</main>\n<footer>{escape(_FOOT.in_(lang))}</footer>\n</body>\n</html>\n"
+        + f"\n</main>\n<footer>{escape(FOOT.in_(lang))}</footer>\n</body>\n</html>\n"
     )
 
 

@@ -25,13 +25,15 @@ STATUSES = {
     "unknown": Text("无法判定", "undecided"),
     "error": Text("有错误", "errors"),
 }
+NAME, NUMBER = Text("姓名", "name"), Text("编号", "number")
+RESULT, WORDS = Text("结果", "result"), Text("说明", "in words")
 _HEADS = (
-    Text("姓名", "name"),
-    Text("编号", "number"),
+    NAME,
+    NUMBER,
     Text("得分", "marks"),
     Text("满分", "out of"),
-    Text("结果", "result"),
-    Text("说明", "in words"),
+    RESULT,
+    WORDS,
     Text("诊断", "findings"),
     Text("误解", "misconceptions"),
     Text("相同答案组", "same as others"),

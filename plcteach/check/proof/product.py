@@ -6,7 +6,7 @@ of them: `bad` is on where an output differs (one gate an output), `fair` where 
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from itertools import combinations
 from typing import TYPE_CHECKING, Any
 
@@ -30,10 +30,31 @@ NO_TIME = 1
 
 @dataclass(frozen=True)
 class Question:
-    """What is asked of one kind of scan. bad: for each output where it differs; fair: where the inputs may be as they are."""
+    """What is asked of one kind of scan. bad: for each output where it differs; fair: where the inputs may be as they are.
+
+    seen: for each output that is a bit and may differ, what the reference and the student's program give.
+    """
 
     bad: dict[str, Gate]
     fair: Gate
+    seen: dict[str, tuple[Gate, Gate]] = field(default_factory=dict)
+
+    def of(self, wanted: Iterable[str]) -> Question:
+        """Ask the same of some outputs only."""
+        bad = {key: self.bad[key] for key in wanted}
+        return Question(bad, self.fair, {key: pair for key, pair in self.seen.items() if key in bad})
+
+    @property
+    def gates(self) -> list[Gate]:
+        """All gates that the answer depends on."""
+        return [*self.bad.values(), self.fair, *(one for pair in self.seen.values() for one in pair)]
+
+    def rewritten(self, graph: Graph, by: dict[Hashable, Gate]) -> Question:
+        """Ask the same with some variables replaced."""
+        new = iter(graph.rewritten(self.gates, by))
+        bad = {key: next(new) for key in self.bad}
+        fair = next(new)
+        return Question(bad, fair, {key: (next(new), next(new)) for key in self.seen})
 
 
 @dataclass(frozen=True)
@@ -65,8 +86,8 @@ class Product:
         wanted = tuple(outputs)
         one = replace(
             self,
-            first=Question({key: self.first.bad[key] for key in wanted}, self.first.fair),
-            later=Question({key: self.later.bad[key] for key in wanted}, self.later.fair),
+            first=self.first.of(wanted),
+            later=self.later.of(wanted),
             outputs=wanted,
         )
         return one.narrowed()
@@ -81,15 +102,13 @@ class Product:
         def all_of(gates: dict[Any, Gate]) -> dict[Any, Gate]:
             return dict(zip(gates, self.graph.rewritten(list(gates.values()), by), strict=True))
 
-        def asked(one: Question) -> Question:
-            return Question(all_of(one.bad), self.graph.rewritten([one.fair], by)[0])
-
+        first, later = self.first.rewritten(self.graph, by), self.later.rewritten(self.graph, by)
         start, then = all_of(self.start), all_of(self.next)
-        return replace(self, first=asked(self.first), later=asked(self.later), start=start, next=then).narrowed()
+        return replace(self, first=first, later=later, start=start, next=then).narrowed()
 
     def narrowed(self) -> Product:
         """Keep only the remembered bits and inputs on which the answer can depend."""
-        roots = [*self.later.bad.values(), self.later.fair]
+        roots = self.later.gates
         state: set[Hashable] = set()
         while True:
             names = set(self.graph.support([*roots, *(self.next[name] for name in state)]))
@@ -98,7 +117,7 @@ class Product:
                 break
             state |= found
         seen = self.graph.support(
-            [*roots, *self.first.bad.values(), self.first.fair]
+            [*roots, *self.first.gates]
             + [gate for name in state for gate in (self.next[name], self.start[name])]
         )
         inputs = tuple(sorted((name for name in seen if name not in self.next), key=_rank))
