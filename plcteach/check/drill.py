@@ -20,6 +20,7 @@ from plcteach.check.drilling.shapes import KINDS, MOST_LEVEL, shape
 from plcteach.check.drilling.told import NUMBERED, TITLES, hints, task
 from plcteach.core.errors import PlcTeachError, UnknownNameError
 from plcteach.core.exercise import Exercise, Terms
+from plcteach.core.text import Text, language
 from plcteach.dialects import dialect as find_dialect
 from plcteach.dialects import names
 from plcteach.exercises import exercise as find_exercise
@@ -28,6 +29,8 @@ from plcteach.ladder.picture import write_drawing
 from plcteach.stl import read
 
 if TYPE_CHECKING:
+    from pathlib import Path
+
     from plcteach.core.spec import Dialect
 
 Ask = Literal["write", "predict", "join", "order", "match"]
@@ -40,6 +43,21 @@ _ID = re.compile(
 _LARGEST = 10**18
 
 
+_NO_KIND = Text("没有{name}这种随机练习；有：{known}。", "There is no kind of drill called {name}. There is: {known}.")
+_NO_ASK = Text("没有{name}这种问法；有：{known}。", "There is no question called {name}. There is: {known}.")
+_LEVEL = Text("level是从1到{last}的整数，而不是{value}。", "level is a whole number from 1 to {last}, and not {value}.")
+_SEED = Text("seed是不小于0的整数，而不是{value}。", "seed is a whole number from 0 on, and not {value}.")
+_NO_JOIN = Text("只有{kinds}这种随机练习有块连接可问。", "Only drills about {kinds} have joins to ask for.")
+
+
+class _UnknownDrillError(UnknownNameError):
+    """A kind or question that no drill has; there are few, so all are named and none is guessed."""
+
+    def __init__(self, words: str) -> None:
+        Exception.__init__(self, words)
+        self.near = []
+
+
 def drill(
     kind: str = "blocks", seed: int = 0, level: int = 2, dialect: str | Dialect | None = None, ask: str = "write"
 ) -> Exercise:
@@ -48,15 +66,14 @@ def drill(
     kind: contacts, blocks, branches, set-reset, edges, timers or counters.  level: 1 (easy) to 5.  ask: what is asked of the
     ladder: write, predict (the stack), join (which blocks; of blocks only), order (the lines), match (the ladder).
     """
-    for what, name, known in (("kind of drill", kind, KINDS), ("question", ask, ASKS)):
+    for name, known, unknown in ((kind, KINDS, _NO_KIND), (ask, ASKS, _NO_ASK)):
         if name not in known:
-            raise UnknownNameError(what, str(name), known)
-    if not (isinstance(level, int) and isinstance(seed, int) and 1 <= level <= MOST_LEVEL and 0 <= seed < _LARGEST):
-        msg = f"a drill has a level from 1 to {MOST_LEVEL} and a seed from 0 on, and not {level!r} and {str(seed)[:20]}"
-        raise PlcTeachError(msg)
+            raise _UnknownDrillError(unknown.format(name=repr(str(name)[:40]), known=", ".join(known)).in_(language()))
+    for what, value, first, last in ((_LEVEL, level, 1, MOST_LEVEL), (_SEED, seed, 0, _LARGEST - 1)):
+        if not (isinstance(value, int) and first <= value <= last):
+            raise PlcTeachError(what.format(value=str(value)[:20], last=last).in_(language()))
     if ask == "join" and kind not in _JOINED:
-        msg = f"only drills about {' and '.join(_JOINED)} have joins to ask for"
-        raise PlcTeachError(msg)
+        raise PlcTeachError(_NO_JOIN.format(kinds=", ".join(_JOINED)).in_(language()))
     return _made(kind, int(seed), int(level), find_dialect(dialect or names()[0]), ask)
 
 
@@ -71,10 +88,9 @@ def from_id(name: str) -> Exercise | None:
     return drill(found["kind"], int(found["seed"]), int(found["level"]), found["dialect"], ask)
 
 
-def task_of(exercise: Exercise | str) -> Exercise:
-    """Give an exercise by its id, a drill's or a bundled one's; UnknownNameError suggests the nearest."""
-    made = from_id(exercise) if isinstance(exercise, str) else exercise
-    return made or find_exercise(exercise)
+def task_of(exercise: Exercise | str | Path) -> Exercise:
+    """Give an exercise by its id, a drill's or a bundled one's, or a teacher's own by its file; UnknownNameError suggests the nearest."""
+    return (from_id(exercise) if isinstance(exercise, str) else None) or find_exercise(exercise)
 
 
 @lru_cache(maxsize=256)

@@ -122,6 +122,15 @@ def _material(exercise: Exercise, _known: Mapping[str, Exercise]) -> Iterator[Pr
     """Make what a learner sees before answering."""
     sheet = shown(exercise)
     yield Proof(_put("_material"), "proved", _plain(sheet.form, sheet.form))
+    told = exercise.task
+    if exercise.hidden and sheet.form == "list" and not sheet.ladders and ("ladder" in told.en or "梯形图" in told.zh):
+        yield Proof(_put("_material"), "note", _NOT_SHOWN)
+
+
+_NOT_SHOWN = Text(
+    "题目提到梯形图，而这是考试用的练习，梯形图不显示。请用文字说明程序该做什么。",
+    "The task speaks of a ladder, and a hidden exercise shows none. Say in words what the program is to do.",
+)
 
 
 def _model(exercise: Exercise, _known: Mapping[str, Exercise]) -> Iterator[Proof]:

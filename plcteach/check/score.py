@@ -13,6 +13,7 @@ from plcteach.core.text import language
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
+    from pathlib import Path
 
     from plcteach.check.judgement import Judgement
     from plcteach.core.exercise import Exercise
@@ -70,7 +71,7 @@ def _check(said: str, *, passed: bool) -> Callable[[], None]:
     return check
 
 
-def grade(exercise: Exercise | str, text: str | bytes) -> Score:
-    """Grade a submission: `plcteach.grade("s7-two-blocks", my_program)` as the last line of a graded cell."""
+def grade(exercise: Exercise | str | Path, text: str | bytes) -> Score:
+    """Grade a submission: `plcteach.grade("s7-two-blocks", my_program)` as the last line of a graded cell; a path is a teacher's own file."""
     judgement = judge(exercise, text)
     return Score(judgement.marks, judgement.exercise.points, judgement)

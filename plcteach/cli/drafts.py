@@ -22,7 +22,10 @@ _ORDER = Text(
     "Its place in the course; lesson: of which lesson; after: exercises to be done before.",
 )
 _SAID = Text("改成您自己的话。两种语言都要写。", "Say it in your own words, in both languages.")
-_HIDDEN = Text("考试用：参考在哪里都不显示。", "For an examination: the reference is shown nowhere.")
+_HIDDEN = Text(
+    "考试用：参考在哪里都不显示，所以题目要用文字说清程序该做什么。",
+    "For an examination: the reference is shown nowhere, so the task must say in words what the program is to do.",
+)
 _HINTS = Text(
     "从含糊到几乎是答案。下面的数都是从参考数出来的。",
     "From vague to nearly the answer. What is counted here was counted off the reference.",

@@ -81,6 +81,8 @@ def _gathered(what: list[str]) -> tuple[list[Exercise], dict[str, str]]:
                 msg = f"there is no exercise (.toml) in {word}"
                 raise CallError(msg)
         elif path.suffix == ".toml":
+            if not path.exists():
+                raise CallError(say(f"没有文件{word}", f"there is no file {word}"))
             files = [path]
         else:
             found.append(_named(word, task_of(word)))
@@ -160,13 +162,14 @@ def _entry(one: Exercise) -> dict[str, object]:
 
 def show_verb(options: argparse.Namespace) -> int:
     """Print a task as a learner sees it before answering."""
+    from plcteach.check.drill import task_of
     from plcteach.check.judge import shown
     from plcteach.ladder.picture import write_drawing
 
-    (task,), broken = _gathered([options.what]) if not Path(options.what).is_dir() else ((None,), {})
-    if task is None or broken:
+    if Path(options.what).is_dir():
         msg = f"{options.what}: name one exercise"
         raise CallError(msg)
+    task = task_of(options.what)
     sheet, lang = shown(task), language()
     print(f"{task.id}  {task.title.in_(lang)}  ({task.points:g})\n\n{task.task.in_(lang)}\n")
     if sheet.text.in_(lang):
@@ -177,6 +180,7 @@ def show_verb(options: argparse.Namespace) -> int:
     rows = sheet.rows or tuple(line.text for line in (sheet.program.lines if sheet.program else ()))
     for count, row in enumerate(rows, 1):
         print(f"{count:3}  {row}")
-    if sheet.start.strip() and sheet.form == "list":
+    listed = sheet.program.source if sheet.program and not sheet.rows else ""
+    if sheet.start.strip() and sheet.form == "list" and sheet.start.strip() != listed.strip():
         print(f"\n{sheet.start}")
     return RIGHT

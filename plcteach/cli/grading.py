@@ -11,7 +11,6 @@ from plcteach.check.drill import task_of as exercise
 from plcteach.cli.printing import print_json, say
 from plcteach.cli.reading import CallError
 from plcteach.core.text import language
-from plcteach.exercises import load
 
 if TYPE_CHECKING:
     import argparse
@@ -28,7 +27,7 @@ def grade_verb(options: argparse.Namespace) -> int:
 
     from plcteach.check.marking.grading import How, grade_folder, write_results
 
-    folder, task = _folder(options.folder), _exercise(options.exercise)
+    folder, task = _folder(options.folder), exercise(options.exercise)
     out = options.output or folder.with_name(f"{folder.resolve().name}-marks")
     if out.resolve() == folder.resolve() or (out.exists() and not out.is_dir()):
         msg = f"{out}: the results want a folder of their own"
@@ -63,12 +62,6 @@ def _folder(name: str) -> Path:
     return folder
 
 
-def _exercise(name: str) -> Exercise:
-    """Find a bundled exercise by its id, or read a teacher's own from its file."""
-    path = Path(name)
-    return load(path) if path.suffix == ".toml" and path.is_file() else exercise(name)
-
-
 def _say_stopped(options: argparse.Namespace) -> None:
     if not options.json:
         print(
@@ -85,6 +78,7 @@ def _say_done(graded: Graded, task: Exercise, out: Path, options: argparse.Names
         print_json(results)
         return
     from plcteach.check.marking.classpage import NOBODY
+    from plcteach.check.marking.tables import distinct
 
     count, marks = len(graded.rows), [row.mark.marks for row in graded.rows]
     if not count:
@@ -93,8 +87,8 @@ def _say_done(graded: Graded, task: Exercise, out: Path, options: argparse.Names
         mean, full = sum(marks) / count, sum(mark >= task.points for mark in marks)
         print(
             say(
-                f"{count}人，{graded.distinct}份不同的程序，这次批改{graded.judged}份；平均{mean:.2f}/{task.points:g}，满分{full}人。",
-                f"{count} learners, {graded.distinct} different texts, {graded.judged} judged now; "
+                f"{count}人，{distinct(graded.rows)}份不同的答案，这次批改{graded.judged}份文本；平均{mean:.2f}/{task.points:g}，满分{full}人。",
+                f"{count} learners, {distinct(graded.rows)} distinct answers, {graded.judged} texts judged now; "
                 f"mean {mean:.2f} of {task.points:g}, {full} with full marks.",
             )
         )

@@ -44,7 +44,7 @@ def parser_of_all() -> argparse.ArgumentParser:
 
 _INPUTS = (
     'a file, or the text itself: JSON, a list with one object a scan: [{"I0.0": 1, "ms": 10}, {}], where an input not named keeps its value; '
-    "or a timeline: I0.0: 1s off, 0.2s on, off"
+    "or what check --json prints; or a timeline: I0.0: 1s off, 0.2s on, off"
 )
 
 
@@ -70,7 +70,11 @@ def _judging_verbs(verbs: Any, reading: argparse.ArgumentParser) -> None:
     )
     one.add_argument("student", help="the program to judge; - for standard input")
     one.add_argument("--reference", help="a program or a ladder drawing (default: the exercise's own)")
-    one.add_argument("--exercise", help="judge by this exercise: its family and its ladder")
+    one.add_argument(
+        "--exercise",
+        metavar="ID",
+        help="judge by this exercise (a bundled one, or your own .toml file): its family and its ladder",
+    )
     one.add_argument(
         "--level",
         choices=["exact", "settled", "either"],

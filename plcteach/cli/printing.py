@@ -84,6 +84,10 @@ def verdict_json(verdict: Verdict) -> dict[str, Any]:
     }
 
 
+_MOST_ROWS = 12
+"""A counterexample of more scans than this is printed as a chart, in which scans that are alike are one column."""
+
+
 def print_verdict(verdict: Verdict) -> None:
     """Print the status, and the scans that tell the two programs apart."""
     print(summary(verdict).in_(language()))
@@ -91,7 +95,7 @@ def print_verdict(verdict: Verdict) -> None:
     if example is None:
         return
     chart = chart_of(verdict)
-    if chart and chart.timed:
+    if chart and (chart.timed or len(example.inputs) > _MOST_ROWS):
         print("\n".join(line.in_(language()) for line in chart.lines))
         return
     inputs = sorted({name for row in example.inputs for name in row})
@@ -116,7 +120,8 @@ def print_findings(found: Sequence[Diagnostic], source: Program | str) -> None:
     rows = rows_of(source if isinstance(source, str) else source.source)
     for one in found:
         severity = _SEVERITIES[one.severity].in_(lang)
-        print(f"{one.span.row}:{one.span.start + 1}: {severity} {one.code}: {one.text.in_(lang)}")
+        place = f"{one.span.row}:{one.span.start + 1}: " if one.span.row else ""
+        print(f"{place}{severity} {one.code}: {one.text.in_(lang)}")
         if 0 < one.span.row <= len(rows):
             row = printable(rows[one.span.row - 1][:200])
             print(f"    {row}")

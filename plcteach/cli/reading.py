@@ -104,14 +104,21 @@ def scans_of(name: str | None, program: Program, options: argparse.Namespace) ->
     except (ValueError, RecursionError) as trouble:
         msg = f"{name}: not JSON ({trouble})"
         raise CallError(msg) from None
+    rows = _of_report(rows)
     if not isinstance(rows, list) or not all(isinstance(row, dict) for row in rows):
-        msg = f'{name}: expected a list with one object a scan, such as [{{"I0.0": 1}}, {{}}]'
+        msg = f'{name}: expected a list with one object a scan, such as [{{"I0.0": 1}}, {{}}], or what check --json prints'
         raise CallError(msg)
     rows = [{_address(key, table): value for key, value in row.items()} for row in rows]
     for row in rows:
         for address, value in row.items():
             _check(name, address, value, program)
     return rows
+
+
+def _of_report(told: Any) -> Any:
+    """Give the inputs of the counterexample, if this is what `check --json` prints; else all of it."""
+    example = told.get("counterexample") if isinstance(told, dict) else None
+    return example.get("inputs") if isinstance(example, dict) else told
 
 
 def _address(word: str, table: Symbols | None) -> str:

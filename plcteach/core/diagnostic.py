@@ -583,14 +583,28 @@ _ROWS = (
         "reacts-later",
         "info",
         Text(
-            "结果一样，但比参考晚一个或几个扫描才反应：某一位先被使用、后被写入。",
-            "The result is right, but it comes a scan or more after the reference: some bit is used before it is written.",
+            "稳定以后结果一样，但中间有一个或几个扫描和参考不同：某一位的写和用，次序与参考不一样。",
+            "At rest the result is right; for a scan or more on the way it is not the reference's: some bit is written and used in another order.",
         ),
         Text(
             "程序按顺序执行；先写后用，当个扫描就见效，先用后写，要等下一个扫描。",
             "A scan runs in order: a bit written before it is used acts at once, one written after acts in the next scan.",
         ),
         lesson=2,
+    ),
+    Rule(
+        "CHK005",
+        "pulse-differs",
+        "warning",
+        Text(
+            "在{address}，参考和你的程序只有一个给出一两个扫描的脉冲。边沿属于哪个触点，定时器的那一个扫描又到哪里去了？",
+            "At {address} only one of the two, the reference or your program, gives a pulse of a scan or two. Which contact does the edge belong to, and where does the timer's one scan go?",
+        ),
+        Text(
+            "脉冲只有一个扫描，稳定以后看不出来；但后面的计数器、置位指令要靠它。",
+            "A pulse is there for one scan and has left no trace at rest; but the counter or the latch behind it lives by it.",
+        ),
+        lesson=3,
     ),
     Rule(
         "CHK004",

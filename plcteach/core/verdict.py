@@ -40,4 +40,4 @@ class Verdict:
     level: str = "exact"
 
     def __repr__(self) -> str:
-        return f"Verdict({self.status}{f', by {self.proof}' if self.proof else ''})"
+        return f"Verdict({self.status}{f', {self.proof}' if self.proof else ''})"

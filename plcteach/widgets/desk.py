@@ -23,6 +23,8 @@ from plcteach.widgets.replay import Replay, given_run, wrong_run
 from plcteach.widgets.show import Shown, module, styles
 
 if TYPE_CHECKING:
+    from pathlib import Path
+
     from plcteach.core.exercise import Exercise
 
 _GAP = "____"
@@ -31,7 +33,7 @@ _GAP = "____"
 class ExerciseDesk(Shown):
     """Work on one exercise: answer, check, see what differs and on which step.
 
-    exercise: its id or the exercise itself.  text: what stands in it at first, instead of the exercise's own start; what was
+    exercise: its id, a teacher's own file, or the exercise itself.  text: what stands in it at first, instead of the exercise's own start; what was
     typed before into the same start comes back.  The last judgement stands in `judgement`.  feedback: of a grid, "each" row or
     "final" only.  The other traits are JSON for the page; nothing of a hidden exercise's reference is in any of them.
     """
@@ -54,7 +56,7 @@ class ExerciseDesk(Shown):
     _tells = True
     """Whether a grid may be marked while it is filled in."""
 
-    def __init__(self, exercise: str | Exercise, text: str | None = None, **values: Any) -> None:
+    def __init__(self, exercise: str | Path | Exercise, text: str | None = None, **values: Any) -> None:
         self._notes = Notes()
         super().__init__(**values)
         self._open(find_exercise(exercise), text)

@@ -19,6 +19,7 @@ from plcteach.widgets.player import StackPlayer
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping
+    from pathlib import Path
 
     from plcteach.core.exercise import Exercise
     from plcteach.core.program import Program
@@ -90,6 +91,6 @@ def bench(
     return Workbench(text.strip("\n"), dialect or names()[0], inputs, size=size)
 
 
-def desk(exercise: str | Exercise, text: str | None = None, *, size: float = 1.0) -> ExerciseDesk:
-    """Open an exercise."""
+def desk(exercise: str | Path | Exercise, text: str | None = None, *, size: float = 1.0) -> ExerciseDesk:
+    """Open an exercise: by its id, or a teacher's own by its file (`plc.desk("my.toml")`)."""
     return ExerciseDesk(exercise, text, size=size)

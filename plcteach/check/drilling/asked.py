@@ -10,9 +10,9 @@ from plcteach.check.drilling.slips import joins, slips
 from plcteach.check.drilling.told import TITLES, task
 from plcteach.check.kinds import KINDS
 from plcteach.check.lint import lint
-from plcteach.core.errors import NotRepresentableError
+from plcteach.core.errors import NotRepresentableError, PlcTeachError
 from plcteach.core.exercise import WrongSample
-from plcteach.core.text import Text
+from plcteach.core.text import Text, language
 from plcteach.figure.table import telling_inputs
 from plcteach.ladder.lift import lift
 from plcteach.ladder.picture import write_drawing
@@ -43,6 +43,8 @@ def predict(plain: Exercise, program: Program, dice: Dice) -> Exercise:
     rows = KINDS["predict"].model(made).splitlines()
     turned = [row.translate(_TURNED) for row in rows]
     told = [number for number, row in enumerate(rows) if turned[number] != row]
+    if not told:
+        raise PlcTeachError(_NO_VALUE.in_(language()))
     places = dict.fromkeys((told[0], told[-1], told[len(told) // 2]))
     grids = [[*rows[:at], turned[at], *rows[at + 1 :]] for at in places]
     wrong = [WrongSample("\n".join(grid), "different", _OTHER) for grid in (*grids, turned, [])]
@@ -53,6 +55,9 @@ def predict(plain: Exercise, program: Program, dice: Dice) -> Exercise:
     return replace(made, hints=(*_AT_EACH_LINE, first), right=("\n".join(rows),), wrong=tuple(wrong[:3]))
 
 
+_NO_VALUE = Text(
+    "运行时栈上没有任何值，所以没有什么可问的。", "Nothing stands on the stack as it runs, so there is nothing to ask."
+)
 _TURNED = str.maketrans("01", "10")
 _AT_EACH_LINE = (
     Text(
@@ -65,6 +70,8 @@ _AT_EACH_LINE = (
 def join(plain: Exercise, program: Program, dice: Dice) -> Exercise:
     """Ask which two blocks a join joins."""
     rows = [number for number, line in enumerate(program.lines, 1) if _joins(program, number)]
+    if not rows:
+        raise PlcTeachError(_NO_JOIN.in_(language()))
     row = dice.pick(rows[1:] or rows)
     made = replace(
         plain, kind="join", task=task("join", program.dialect, row), given=program.source, row=row, right=(), wrong=(), needs=(),
@@ -87,6 +94,12 @@ def join(plain: Exercise, program: Program, dice: Dice) -> Exercise:
     )
     wrong = tuple(WrongSample(one, "different", _OTHER) for one in others)
     return replace(made, hints=hints, right=(answer, " ".join(answer.split()[::-1])), wrong=wrong)
+
+
+_NO_JOIN = Text(
+    "这里没有块连接，所以没有什么可问的。请用一个有两个块并联或串联的梯形图。",
+    "There is no join of blocks in this, so there is nothing to ask. Take a ladder in which two blocks stand side by side or in a row.",
+)
 
 
 def _joins(program: Program, number: int) -> bool:
@@ -133,6 +146,8 @@ def match(plain: Exercise, program: Program, dice: Dice) -> Exercise:
             choices.append(drawing)
         if len(choices) == _CHOICES:
             break
+    if len(choices) < 2:  # noqa: PLR2004 (one is no choice)
+        raise PlcTeachError(_NO_OTHER.in_(language()))
     mixed = dice.mixed(choices)
     right = ascii_uppercase[mixed.index(plain.reference)]
     letters = [letter for letter in ascii_uppercase[: len(mixed)] if letter != right]
@@ -145,6 +160,12 @@ def match(plain: Exercise, program: Program, dice: Dice) -> Exercise:
         plain, kind="match", task=task("match", program.dialect), given=program.source, choices=tuple(mixed), hints=hints,
         right=(right, str(ascii_uppercase.index(right) + 1)), wrong=wrong, needs=(),
     )  # fmt: skip
+
+
+_NO_OTHER = Text(
+    "没有找到另一个像它的梯形图可供选择。",
+    "No other ladder was found that is like it, so there is nothing to choose from.",
+)
 
 
 def _drawn(program: Program) -> str:

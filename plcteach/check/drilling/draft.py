@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from plcteach.check.against import reference
 from plcteach.check.drilling.asked import ASKED
+from plcteach.check.drilling.courses import course
 from plcteach.check.drilling.dice import Dice
 from plcteach.check.drilling.samples import right_lists
 from plcteach.check.drilling.slips import slips
@@ -17,7 +18,6 @@ from plcteach.core.errors import NotRepresentableError, PlcTeachError
 from plcteach.core.exercise import Exercise, Terms, WrongSample
 from plcteach.core.ladder import Ladder
 from plcteach.core.text import Text, language
-from plcteach.figure.table import telling_inputs
 from plcteach.ladder.either import ladder_either
 from plcteach.ladder.picture import write_drawing
 from plcteach.ladder.telling import is_drawing, is_plcopen
@@ -149,12 +149,16 @@ def _complete(plain: Exercise, program: Program, dice: Dice) -> Exercise:
 
 def _chart(plain: Exercise, program: Program, dice: Dice) -> Exercise:
     """Ask in which scans the outputs are on."""
-    inputs = [one.text for one in program.addresses("input")]
-    scans: list[dict[str, int]] = [dict(telling_inputs(program))]
-    scans += [{dice.pick(inputs): dice.number(0, 1)} if inputs else {} for _ in range(7)]
     words = Text("每个扫描结束时，输出是接通还是断开？", "At the end of each scan, is the output on or off?")
     made = replace(
-        plain, kind="chart", task=words, given=program.source, scans=tuple(scans), right=(), wrong=(), hints=_CHARTED
+        plain,
+        kind="chart",
+        task=words,
+        given=program.source,
+        scans=course(program, dice),
+        right=(),
+        wrong=(),
+        hints=_CHARTED,
     )
     answer = KINDS["chart"].model(made)
     turned = "\n".join(

@@ -40,6 +40,7 @@ _SAME_WHY = Text(
 _OF_GROUP = Text("第{number}组：{count}人 · {result}", "Group {number}: {count} learners · {result}")
 _LETTER = Text("一字不差", "the same to the letter")
 _ALL, _GROUP = Text("所有人", "Everyone"), Text("组", "group")
+_EMPTY = Text("交上来的是空的", "What was handed in is empty")
 _NONE = Text("没有。", "None.")
 NOBODY = Text("这个文件夹里没有可批改的文件。", "There is nothing to grade in this folder.")
 _TABLES = Text("表格", "Tables")
@@ -81,13 +82,25 @@ def _marks(rows: Sequence[Row], exercise: Exercise, lang: str) -> str:
     return _chapter(_MARKS, bars(_MARKS.in_(lang), shown), lang)
 
 
-def _findings(rows: Sequence[Row], _exercise: Exercise, lang: str) -> str:
+def _findings(rows: Sequence[Row], exercise: Exercise, lang: str) -> str:
+    """Count what was found, each with what was said of it first; advice on an answer with full marks is no mistake."""
     shown = []
-    for code, who in tally(rows, lambda row: row.mark.codes):
-        row = RULES[str(code)]
-        words = f"<code>{escape(row.code)}</code> {escape(blanks(row.says).in_(lang))}"
+    empty = [row for row in rows if not row.text.strip() and not row.mark.codes]
+    if empty:
+        shown.append((escape(_EMPTY.in_(lang)), empty))
+    for code, who in tally(rows, lambda row: _mistakes(row, exercise)):
+        said = dict(zip(who[0].mark.codes, who[0].mark.said, strict=False)).get(
+            str(code), blanks(RULES[str(code)].says)
+        )
+        words = f"<code>{escape(str(code))}</code> {escape(said.in_(lang))}"
         shown.append((words, who))
+    shown.sort(key=lambda one: -len(one[1]))
     return _chapter(_FINDINGS, _counted(_FINDINGS, shown, lang), lang)
+
+
+def _mistakes(row: Row, exercise: Exercise) -> list[str]:
+    full = row.mark.marks >= exercise.points
+    return [code for code in row.mark.codes if not full or RULES[code].severity != "info"]
 
 
 def _wrong(rows: Sequence[Row], _exercise: Exercise, lang: str) -> str:

@@ -26,7 +26,7 @@ _PACKAGE = Path(__file__).parents[2]
 
 @dataclass(frozen=True, slots=True)
 class Mark:
-    """The marks for one text. codes: what was found, each once.  beliefs: the numbers of the usual wrong ideas behind it, the surest first.
+    """The marks for one text. codes: what was found, each once.  said: what was said of the first of each.  beliefs: the numbers of the usual wrong ideas behind it, the surest first.
 
     parts: what the marks are made of: name, reached, out of how much.  rows: the rows of the text with a finding.  same: a
     digest that programs of the same instructions share.  report: HTML, for both languages.
@@ -41,6 +41,7 @@ class Mark:
     rows: tuple[int, ...] = ()
     same: str = ""
     report: Text = NOTHING
+    said: tuple[Text, ...] = ()
 
     def as_json(self) -> dict[str, Any]:
         """Give the mark as JSON has it."""
@@ -52,6 +53,7 @@ class Mark:
         told = {one.name: row[one.name] for one in fields(cls)}
         told |= {name: Text(**row[name]) for name in ("headline", "report")}
         told |= {name: tuple(row[name]) for name in ("codes", "beliefs", "rows")}
+        told["said"] = tuple(Text(**one) for one in row["said"])
         told["parts"] = tuple((Text(**name), float(got), float(of)) for name, got, of in row["parts"])
         return cls(**told)
 
@@ -66,24 +68,28 @@ def mark_of(exercise: Exercise, text: str) -> Mark:
 
 def _marked(exercise: Exercise, judgement: Judgement) -> Mark:
     found = judgement.verdict.diagnostics
+    first = {one.code: one.text for one in reversed(found)}
+    codes = tuple(dict.fromkeys(one.code for one in found))
     program = judgement.program
     said = "\n".join(line.text for line in program.lines) if program and program.lines else judgement.answer
     return Mark(
         judgement.verdict.status,
         float(judgement.marks),
         headline(judgement),
-        tuple(dict.fromkeys(one.code for one in found)),
+        codes,
         believed(judgement),
         tuple((one.name, one.got, one.of) for one in judgement.parts),
         tuple(sorted({one.span.row for one in found if one.span.row > 0 and one.severity != "info"})),
         digest(exercise.id, re.sub(r"\s+", " ", said).strip()),
         Text(report_html(judgement, "zh"), report_html(judgement, "en")),
+        tuple(first[code] for code in codes),
     )
 
 
 def unread(trouble: Diagnostic) -> Mark:
     """Give no marks for what could not be read or judged, and say why."""
-    return Mark("error", 0.0, trouble.text, (trouble.code,), same=digest(trouble.code, trouble.text.en))
+    same = digest(trouble.code, trouble.text.en)
+    return Mark("error", 0.0, trouble.text, (trouble.code,), same=same, said=(trouble.text,))
 
 
 def stopped(reason: Text) -> Mark:

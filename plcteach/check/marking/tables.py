@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from plcteach.check.marking.mark import version
 from plcteach.check.marking.rows import histogram, tally
+from plcteach.core.misconception import MISCONCEPTIONS
 from plcteach.core.text import Text
 
 if TYPE_CHECKING:
@@ -36,6 +37,7 @@ _HEADS = (
     WORDS,
     Text("诊断", "findings"),
     Text("误解", "misconceptions"),
+    Text("误解的名称", "misconceptions in words"),
     Text("相同答案组", "same as others"),
     Text("文件", "file"),
     Text("其他文件", "other files"),
@@ -63,6 +65,7 @@ def csv_of(rows: Sequence[Row], exercise: Exercise, lang: str) -> str:
                 cell(mark.headline.in_(lang)),
                 " ".join(mark.codes),
                 " ".join(map(str, mark.beliefs)),
+                "; ".join(MISCONCEPTIONS[one].title.in_(lang) for one in mark.beliefs if one in MISCONCEPTIONS),
                 row.group or "",
                 cell(row.file),
                 cell("; ".join(row.others)),

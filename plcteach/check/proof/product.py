@@ -117,8 +117,7 @@ class Product:
                 break
             state |= found
         seen = self.graph.support(
-            [*roots, *self.first.gates]
-            + [gate for name in state for gate in (self.next[name], self.start[name])]
+            [*roots, *self.first.gates] + [gate for name in state for gate in (self.next[name], self.start[name])]
         )
         inputs = tuple(sorted((name for name in seen if name not in self.next), key=_rank))
         kept = tuple(name for name in self.next if name in state)
@@ -154,6 +153,10 @@ def product(reference: Program, student: Program, terms: Terms) -> Product:
         for name in ask.pressed:
             start["was", name] = then["was", name] = setting.graph.variable(name)
     first, later = ask.question(first=True), ask.question(first=False)
+    open_ones = {text for text in first.bad if first.bad[text].number or later.bad[text].number}
+    first, later = (
+        replace(one, seen={key: one.seen[key] for key in one.seen if key in open_ones}) for one in (first, later)
+    )
     return Product(setting.graph, pair, first, later, start, then, unit, tuple(first.bad)).narrowed()
 
 
@@ -223,7 +226,7 @@ class _Asking:
             fair &= self.formula(text, 0, memories[0]).surely
         if self.terms.single_change:
             fair &= self.one_change(first=first)
-        return Question(bad, fair)
+        return Question(bad, fair, {text: pair for text in self.outputs if (pair := self.both(text, memories))})
 
     def differ(self, text: str, memories: tuple[Memory[Any], ...]) -> Gate:
         """Say where an output differs, or is x in the student's program, and it matters."""
@@ -234,6 +237,12 @@ class _Asking:
             wrong |= differs(a, b) | b.unknown
         spared = self.terms.dont_care.get(text)
         return wrong & ~self.formula(spared, 0, memories[0]).surely if spared else wrong
+
+    def both(self, text: str, memories: tuple[Memory[Any], ...]) -> tuple[Gate, Gate] | None:
+        """Give what both programs put out; None where it is no bit."""
+        place = address_of(self.pair[0].program.dialect, text)
+        mine, theirs = (one.value(memory, place) for one, memory in zip(self.pair, memories, strict=True))
+        return None if isinstance(mine, Vector) else (mine.surely, theirs.surely)
 
     def formula(self, text: str, side: int, memory: Memory[Any]) -> Any:
         """Work a formula out over what a program's memory holds."""

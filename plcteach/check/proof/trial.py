@@ -21,7 +21,9 @@ from plcteach.check.proof.induction import always_equal
 from plcteach.check.proof.replay import Replay, replay, rows_of
 from plcteach.check.proof.search import Found, breadth_first, fewest
 from plcteach.check.proof.table import MOST_ROWS, TooLarge, model_of
-from plcteach.check.proof.walk import Walker
+from plcteach.check.proof.walk import MOST_SETTLING_SCANS, Walker
+from plcteach.core.diagnostic import rule
+from plcteach.core.source import Span
 from plcteach.core.verdict import Verdict
 
 if TYPE_CHECKING:
@@ -29,6 +31,7 @@ if TYPE_CHECKING:
 
     from plcteach.check.proof.product import Product
     from plcteach.check.proof.walk import Scan
+    from plcteach.core.diagnostic import Diagnostic
     from plcteach.core.exercise import Terms
     from plcteach.core.program import Program
     from plcteach.core.verdict import Proof, Status
@@ -113,7 +116,7 @@ class Trial:
         if units <= 0:
             return None
         budget = Budget(units)
-        walker = Walker(self.product, budget, settled=settled)
+        walker = Walker(self.product, budget, settled=settled, pulses=self.terms.level == "either")
         found = breadth_first(walker, budget)
         self.purse.spend(units - max(budget.units, 0))
         self.explored = max(self.explored, found.states)
@@ -144,10 +147,18 @@ class Trial:
     def shown(self, scans: Sequence[Scan], *, settled: bool = False) -> Verdict | None:
         """Give the verdict that some scans show, each output judged for itself; None where they show nothing."""
         rows = rows_of(self.product, scans)
-        seen = replay(self.programs, rows, self.product.outputs, self.terms) if rows else None
+        if not rows:
+            return None
+        seen = replay(self.programs, rows, self.product.outputs, self.terms)
+        said: tuple[Diagnostic, ...] = ()
+        for cut in range(1, MOST_SETTLING_SCANS + 2) if settled and seen is None else ():
+            seen = replay(self.programs, rows[:-cut], self.product.outputs, self.terms)
+            if seen is not None:
+                said = (rule("CHK005").at(Span(0), address=seen.example.address),)
+                break
         if seen is None:
             return None
-        return Verdict("different", None, seen.example, self.each(seen, settled=settled), explored=self.explored)
+        return Verdict("different", None, seen.example, self.each(seen, settled=settled), said, self.explored)
 
     def each(self, seen: Replay, *, settled: bool) -> dict[str, Status]:
         """Judge the outputs that a counterexample says nothing of."""

@@ -18,6 +18,7 @@ if TYPE_CHECKING:
 
     from plcteach.check.proof.budget import Budget
     from plcteach.check.proof.product import Product
+    from plcteach.machine.gates import Compiled
 
 MOST_SETTLING_SCANS = 32
 Scan = dict["Hashable", int]
@@ -35,18 +36,54 @@ class Outcome:
     restless: tuple[int, int] = (0, 0)
 
 
-class Walker:
-    """The two programs as functions of state and inputs."""
+class _Pulses:
+    """What the outputs did on the way to rest: those that changed twice or more in one program, and not so in the other.
 
-    def __init__(self, product: Product, budget: Budget, *, settled: bool = False) -> None:
+    At rest a pulse of one scan has left no trace. So one that the reference gives must come, be it a scan later, and one that it
+    does not give must not. But rungs in another order may well give one where several inputs change in the same scan, or at
+    power-on: that is overlooked, as is whatever else differs on the way.
+    """
+
+    def __init__(self, seen: Sequence[int]) -> None:
+        self.last, self.once, self.twice = list(seen), [0] * len(seen), [0] * len(seen)
+
+    def see(self, seen: Sequence[int]) -> None:
+        """Take in the outputs of one more scan, the reference's and the student's by turns."""
+        for place, value in enumerate(seen):
+            changed = value ^ self.last[place]
+            self.twice[place] |= self.once[place] & changed
+            self.once[place] |= changed
+        self.last = list(seen)
+
+    def odd(self, plain: int) -> int:
+        """Give the cases in which only one of the two gave a pulse (only the student's: in plain cases), and begin anew."""
+        cases = 0
+        for mine, theirs in zip(self.twice[::2], self.twice[1::2], strict=True):
+            cases |= mine & ~theirs | theirs & ~mine & plain
+        self.once, self.twice = [0] * len(self.last), [0] * len(self.last)
+        return cases
+
+
+class Walker:
+    """The two programs as functions of state and inputs.
+
+    pulses: at rest a pulse on the way there counts as well.
+    """
+
+    def __init__(self, product: Product, budget: Budget, *, settled: bool = False, pulses: bool = False) -> None:
         self.product, self.budget, self.settled = product, budget, settled
+        self.watch: _Pulses | None = None
+        texts = sorted(set(product.first.seen) & set(product.later.seen)) if pulses and settled else []
+        self.watched = 2 * len(texts)
         graph = product.graph
         self.state, self.inputs = product.state, product.inputs
         ends = [product.start[name] for name in self.state]
-        first = [*ends, graph.any(product.first.bad.values()), product.first.fair]
+        seen = [gate for text in texts for gate in product.first.seen[text]]
+        first = [*ends, graph.any(product.first.bad.values()), product.first.fair, *seen]
         self.first = graph.compiled(first, self.inputs)
         ends = [product.next[name] for name in self.state]
-        later = [*ends, graph.any(product.later.bad.values()), product.later.fair]
+        seen = [gate for text in texts for gate in product.later.seen[text]]
+        later = [*ends, graph.any(product.later.bad.values()), product.later.fair, *seen]
         self.later = graph.compiled(later, (*self.state, *self.inputs))
         self.every = (1 << (1 << len(self.inputs))) - 1
         self.rows = patterns(len(self.inputs))
@@ -93,24 +130,49 @@ class Walker:
         still = [0 if timed else row for timed, row in zip(self.timed, self.rows, strict=True)]
         bad, moved = 0, [0, 0]
         if state is None:
-            self.budget.spend(self.first.cost * self.weight)
-            *ends, _, fair = self.first.call(still, self.every)
+            self.watch = _Pulses([0] * self.watched)
+            ends, (_, fair) = self._taken(self.first, still)
         else:
             ends, fair = self._spread(state), self.every
+            held = [self.every if before >> place & 1 else 0 for place in range(len(self.inputs))]
+            quiet = [0 if timed else value for timed, value in zip(self.timed, held, strict=True)]
+            self.watch = None
+            if self.watched:
+                self._scan(ends, quiet)
             if any(self.timed):
-                held = [self.every if before >> place & 1 else 0 for place in range(len(self.inputs))]
-                quiet = [0 if timed else value for timed, value in zip(self.timed, held, strict=True)]
                 tick = [row if timed else value for timed, value, row in zip(self.timed, held, self.rows, strict=True)]
                 ends, _ = self._scan(ends, tick)
                 ends, bad, _ = self._rest(ends, quiet, moved)
+                bad |= self.watch.odd(self.every) if self.watch else 0
         ends, worse, fairly = self._rest(ends, still, moved)
+        worse |= self.watch.odd(self._single(before) if state is not None else 0) if self.watch else 0
         fair &= fairly
         return Outcome(self._parts(ends, fair), (bad | worse) & fair, (moved[0] & fair, moved[1] & fair))
 
+    def _single(self, before: int) -> int:
+        """Give the cases in which at most one input is another than before."""
+        one = two = 0
+        for place, row in enumerate(self.rows):
+            if not self.timed[place]:
+                changed = row ^ self.every if before >> place & 1 else row
+                two |= one & changed
+                one |= changed
+        return self.every & ~two
+
     def _scan(self, ends: Sequence[int], inputs: Sequence[int]) -> tuple[list[int], tuple[int, int]]:
-        self.budget.spend(self.later.cost * self.weight)
-        *after, bad, fair = self.later.call([*ends, *inputs], self.every)
-        return after, (bad, fair)
+        return self._taken(self.later, [*ends, *inputs])
+
+    def _taken(self, call: Compiled, values: Sequence[int]) -> tuple[list[int], tuple[int, int]]:
+        """Run a scan: what is remembered then, where an output differs, and where the inputs may be as they are."""
+        self.budget.spend(call.cost * self.weight)
+        found = call.call(values, self.every)
+        count = len(self.state)
+        if self.watched:
+            seen = found[count + 2 :]
+            if self.watch is None:
+                self.watch = _Pulses(seen)
+            self.watch.see(seen)
+        return list(found[:count]), (found[count], found[count + 1])
 
     def _rest(self, ends: list[int], inputs: Sequence[int], moved: list[int]) -> tuple[list[int], int, int]:
         """Scan until nothing changes; note in which cases that never happens, and in which program."""
@@ -172,12 +234,13 @@ class Walker:
         """Run one scan of one case."""
         inputs = [case >> place & 1 for place in range(len(self.inputs))]
         if state is None:
-            *ends, bad, _ = self.first.call(inputs, 1)
+            found = self.first.call(inputs, 1)
         else:
             remembered = [state >> place & 1 for place in range(len(self.state))]
-            *ends, bad, _ = self.later.call([*remembered, *inputs], 1)
-        self.bad = bool(bad)
-        return sum(bit << place for place, bit in enumerate(ends))
+            found = self.later.call([*remembered, *inputs], 1)
+        count = len(self.state)
+        self.bad = bool(found[count])
+        return sum(bit << place for place, bit in enumerate(found[:count]))
 
     def _without_time(self, case: int) -> int:
         return case & self.lasting

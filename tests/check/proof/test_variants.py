@@ -200,3 +200,38 @@ def test_what_must_never_be_is_found_though_the_reference_does_it_as_well() -> N
     )
     locked = "LD I0.0; AN Q0.1; = Q0.0; LD I0.1; AN Q0.0; = Q0.1"
     assert judged(locked, locked, never=("Q0.0 & Q0.1",)) == "equal"
+
+
+# A pulse of one scan leaves no trace at rest, and yet it must come: the usual level sees it, and "settled" alone does not.
+
+PULSES = [
+    ("a falling edge for a rising one", "s7-200", "LD I0.0; EU; = Q0.0", "LD I0.0; ED; = Q0.0"),
+    ("never on", "s7-200", "LD I0.0; EU; = Q0.0", "LD I0.0; AN I0.0; = Q0.0"),
+    ("the memory of the edge written too early", "s7-200", "LD I0.0; EU; = Q0.0", "LD I0.0; = M0.0; LD I0.0; AN M0.0; = Q0.0"),
+    ("the edge of the whole condition", "fx", "LD X0; ANDP X1; OUT Y0", "LD X0; AND X1; PLS M0; LD M0; OUT Y0"),
+    ("the edge of one contact", "s7-200", "LD I0.0; EU; A I0.1; = Q0.0", "LD I0.0; A I0.1; EU; = Q0.0"),
+    ("the other edge", "gutta", "LD I0.0; P M0.0; = Q0.0", "LD I0.0; N M0.0; = Q0.0"),
+    ("a timer's scan that never comes", "s7-200", "LDN T37; TON T37, 10; LD T37; = Q0.0", "LDN T37; TON T37, 10; LD T37; AN T37; = Q0.0"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("why", "family", "reference", "student"), PULSES, ids=[row[0] for row in PULSES])
+def test_a_pulse_that_does_not_come_is_a_difference(why: str, family: str, reference: str, student: str) -> None:
+    mine, theirs = programs(family, reference, student)
+    verdict = compare(mine, theirs)
+    assert verdict.status == "different", why
+    example = verdict.counterexample
+    assert example is not None
+    ends = [repr(run(one, example.inputs).value(example.address, example.scan)) for one in (mine, theirs)]
+    assert ends[0] != ends[1]
+    assert compare(theirs, mine).status == "different"
+
+
+def test_a_pulse_a_scan_later_is_only_late_and_a_lost_one_is_named() -> None:
+    one, late = "LD I0.0; EU; = M1.0; LD M1.0; = Q0.0", "LD M1.0; = Q0.0; LD I0.0; EU; = M1.0"
+    verdict = compare(*programs("s7-200", one, late))
+    assert (verdict.status, verdict.level) == ("equal", "settled")
+    lost = compare(*programs("s7-200", *PULSES[-1][2:]))
+    assert [one.code for one in lost.diagnostics] == ["CHK005"]
+    settled = compare(*programs("s7-200", *PULSES[1][2:]), terms=Terms(level="settled"))
+    assert settled.status == "equal", "who asks for what remains at rest gets that"
