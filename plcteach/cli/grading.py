@@ -88,7 +88,7 @@ def _say_done(graded: Graded, task: Exercise, out: Path, options: argparse.Names
         print(
             say(
                 f"{count}人，{distinct(graded.rows)}份不同的答案，这次批改{graded.judged}份文本；平均{mean:.2f}/{task.points:g}，满分{full}人。",
-                f"{count} learners, {distinct(graded.rows)} distinct answers, {graded.judged} texts judged now; "
+                f"{count} learners, distinct answers: {distinct(graded.rows)}, texts judged now: {graded.judged}; "
                 f"mean {mean:.2f} of {task.points:g}, {full} with full marks.",
             )
         )

@@ -52,8 +52,7 @@ def _judging_verbs(verbs: Any, reading: argparse.ArgumentParser) -> None:
 
     one = _verb(verbs, "run", verbs_of.run_verb, [reading], "run a program scan by scan")
     one.add_argument("file", help="the program; - for standard input")
-    what = _INPUTS
-    one.add_argument("--inputs", help=what)
+    one.add_argument("--inputs", help=_INPUTS)
     one.add_argument("--watch", help="addresses to print, separated by commas (default: all outputs)")
     one.add_argument("--scan-ms", type=int, default=10, help="length of a scan in ms (default 10)")
     one.add_argument("--anyway", action="store_true", help="run past stack errors where the machine has no trap")

@@ -238,7 +238,7 @@ _ROWS = (
         Text("常闭按钮配常闭触点", "A closed button wants a closed contact"),
         Text("停止按钮是常闭的，程序里也要写常闭触点。", "The stop button is normally closed, so the program needs a normally closed contact."),
         Text(
-            "常闭按钮不按时输入就是1，所以程序里写常开触点；写成常闭，电动机根本起动不了。",
+            "常闭按钮不按时输入就是1，所以程序里写常开触点；写成常闭，电动机根本启动不了。",
             "A normally closed button at rest gives a 1, so the contact is normally open; with a closed one the motor never starts.",
         ),
         "LD I0.0; O Q0.0; AN I0.1; = Q0.0", 0,

@@ -61,7 +61,7 @@ def ladder_scene(
     plain = Look(style, by_bits(powered) if powered is not None else None)
     shapes: list[Shape] = [Words(frame.left, _TOP, same(title), "text", "start", 15, bold=True)] if title else []
     first = top = _TOP + (_TITLE if title else 0)
-    setup = ladder.configuration if isinstance(ladder, Ladder) else ()
+    setup = _setup(ladder, frame)
     shapes += _rows(setup, frame.left, top)
     first = top = top + _LINE * len(setup)
     for number, (rung, plan) in enumerate(zip(rungs, plans, strict=True)):
@@ -78,6 +78,7 @@ def ladder_scene(
     said = [Words(frame.left, foot + _LINE * at, one, "quiet", "start", 12) for at, one in enumerate(told, 1)]
     foot += _LINE * len(said)
     wide = max([frame.right, *(one.x + extent_of(one.text, 12) for one in (*words, *said) if isinstance(one, Words))])
+    wide = max([wide, *(frame.left + extent(row, 12, code=True) for row in setup)])
     return Scene(round(wide + _MARGIN), round(foot + _MARGIN), (*rails, *shapes, *words, *said), _said(ladder, rungs))
 
 
@@ -122,16 +123,23 @@ def _rows(rows: Sequence[str], x: float, y: float) -> Iterator[Shape]:
     return (Words(x, y + _LINE * at, same(row), "quiet", "start", 12, code=True) for at, row in enumerate(rows))
 
 
+def _setup(ladder: Ladder | Rung, frame: Frame) -> list[str]:
+    """Give the lines that set blocks up, broken at blanks where they are long."""
+    most = int(max(_NOTE, frame.right - frame.left) / extent("0", 12, code=True))
+    lines = ladder.configuration if isinstance(ladder, Ladder) else ()
+    return [row for line in lines for row in _broken(line, most, r"(?<=\s)")]
+
+
 def _formulas(rung: Rung, frame: Frame) -> list[str]:
     """Write the formula of each output in rows that fit between the rails."""
     most = int((frame.right - frame.left - 28) / extent("0", 12, code=True))
     return [row for word, formula in formulas_of(rung) for row in _broken(f"{word} = {formula}", most)]
 
 
-def _broken(words: str, most: int) -> list[str]:
-    """Break a formula behind its signs, into rows of so many characters; what follows the first is set in."""
+def _broken(words: str, most: int, behind: str = r"(?<=[·+])") -> list[str]:
+    """Break a formula behind its signs (another text: where `behind` matches), into rows of so many characters; what follows the first is set in."""
     rows = [""]
-    for piece in re.split(r"(?<=[·+])", words):
+    for piece in re.split(behind, words):
         if len(rows[-1]) + len(piece) > most and rows[-1].strip():
             rows.append("    ")
         rows[-1] += piece

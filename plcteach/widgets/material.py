@@ -70,7 +70,10 @@ def still_of(exercise: Exercise, sheet: Sheet) -> str:
     if sheet.form == "grid":
         parts.append(_table(sheet))
     elif sheet.form != "choice" and (sheet.rows or sheet.start):
-        parts.append(f"<pre>{escape(chr(10).join(sheet.rows) or sheet.start)}</pre>")
+        rows = (
+            [f"{number:2}  {row}" for number, row in enumerate(sheet.rows, 1)] if sheet.form == "blocks" else sheet.rows
+        )
+        parts.append(f"<pre>{escape(chr(10).join(rows) or sheet.start)}</pre>")
     return "".join(parts)
 
 

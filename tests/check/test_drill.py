@@ -149,11 +149,11 @@ def test_what_is_no_id_of_a_drill_makes_none(name: str) -> None:
         ({"kind": "bloks"}, "blocks"),
         ({"ask": "predikt"}, "predict"),
         ({"dialect": "fxx"}, "fx"),
-        ({"level": 0}, "level from 1 to 5"),
-        ({"level": 6}, "level from 1 to 5"),
-        ({"seed": -1}, "seed from 0"),
-        ({"seed": 10**30}, "seed from 0"),
-        ({"seed": 1.5}, "seed from 0"),
+        ({"level": 0}, "level is a whole number from 1 to 5"),
+        ({"level": 6}, "level is a whole number from 1 to 5"),
+        ({"seed": -1}, "seed is a whole number from 0"),
+        ({"seed": 10**30}, "seed is a whole number from 0"),
+        ({"seed": 1.5}, "seed is a whole number from 0"),
     ],
 )
 def test_words_that_make_no_drill_are_named(words: dict, says: str) -> None:

@@ -225,7 +225,7 @@ def test_an_exercise_that_nobody_has_written() -> None:
 def test_a_verdict_without_an_exercise() -> None:
     wanted = reference("LD I0.0\n= Q0.0\n", "s7-200")
     assert verdict_on(wanted, read("LD I0.0\nO I0.0\n= Q0.0\n", "s7-200")).status == "equal"
-    assert repr(verdict_on(wanted, wanted)) == "Verdict(equal, by structural)"
+    assert repr(verdict_on(wanted, wanted)) == "Verdict(equal, structural)"
     assert repr(verdict_on(wanted, read("", "s7-200"))) == "Verdict(error)"
 
 

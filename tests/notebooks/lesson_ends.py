@@ -48,7 +48,7 @@ CHOSEN: dict[int, dict[str, Text]] = {
             "The trap of this lesson: in a list AND does not go before OR.",
         ),
         "s7-seal-in": Text(
-            "几乎每台设备里都有的起动、停止电路，而且停止要优先。",
+            "几乎每台设备里都有的启动、停止电路，而且停止要优先。",
             "The start/stop circuit that nearly every machine has, and stop has to win.",
         ),
     },

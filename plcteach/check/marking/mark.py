@@ -13,7 +13,7 @@ from plcteach import __version__
 from plcteach.check.hints import believed
 from plcteach.check.judge import judge
 from plcteach.check.report import headline, report_html
-from plcteach.core.diagnostic import Diagnostic, rule
+from plcteach.core.diagnostic import Diagnostic, errors, rule
 from plcteach.core.source import Span
 from plcteach.core.text import NOTHING, Text
 
@@ -70,7 +70,9 @@ def _marked(exercise: Exercise, judgement: Judgement) -> Mark:
     found = judgement.verdict.diagnostics
     first = {one.code: one.text for one in reversed(found)}
     codes = tuple(dict.fromkeys(one.code for one in found))
-    program = judgement.program
+    program = (
+        None if errors(found) else judgement.program
+    )  # what did not read is in no line, and yet no two are the same
     said = "\n".join(line.text for line in program.lines) if program and program.lines else judgement.answer
     return Mark(
         judgement.verdict.status,

@@ -8,7 +8,7 @@ const GRID_WORDS = {
   chart: { zh: "各扫描周期的输出", en: "The outputs, scan by scan" },
   column: { predict: { zh: "层", en: "level" }, chart: { zh: "扫描", en: "scan" } },
   keys: {
-    predict: { zh: "点击单元格，或用方向键移动、按 0 1 x 填写；空着的层留空", en: "Press a cell, or move with the arrows and type 0, 1 or x; leave levels that hold nothing empty" },
+    predict: { zh: "点击单元格，或用方向键移动、按 0 1 x 填写；空着的层留空，或者写“.”", en: "Press a cell, or move with the arrows and type 0, 1 or x; a level that holds nothing stays empty, or gets a dot" },
     chart: { zh: "点击或拖过单元格画线，或用方向键移动、按 0 1 填写", en: "Press the cells or draw across them, or move with the arrows and type 0 or 1" },
   },
   empty: { zh: "空", en: "empty" },
