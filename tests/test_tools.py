@@ -6,6 +6,7 @@ import os
 import shutil
 import subprocess
 import sys
+import tempfile
 from pathlib import Path
 
 import pytest
@@ -16,6 +17,7 @@ SCRIPTS = Path(sys.executable).parent
 
 def run(*command: str | Path) -> str:
     environment = {name: value for name, value in os.environ.items() if name not in {"LANG", "LC_ALL", "PLCTEACH_LANG"}}
+    environment["PLCTEACH_PROGRESS"] = str(Path(tempfile.gettempdir()) / f"plcteach-progress-{os.getpid()}.json")
     done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False, env=environment)
     assert done.returncode == 0, f"{done.stdout[-6000:]}\n{done.stderr[-3000:]}"
     return done.stdout
