@@ -235,3 +235,25 @@ def test_a_pulse_a_scan_later_is_only_late_and_a_lost_one_is_named() -> None:
     assert [one.code for one in lost.diagnostics] == ["CHK005"]
     settled = compare(*programs("s7-200", *PULSES[1][2:]), terms=Terms(level="settled"))
     assert settled.status == "equal", "who asks for what remains at rest gets that"
+
+
+# A number that is read in any other way than by a comparison with a constant keeps all its bits.
+
+MOVED = [
+    ("s7-200", "LD I0.0; TON T37, 5; LD SM0.0; MOVW T37, VW0; LDW>= VW0, 8; = Q0.0", ("8;", "9;")),
+    ("s7-200", "LD I0.0; LD I0.1; CTU C0, 2; LD SM0.0; MOVW C0, VW0; LDW>= VW0, 5; = Q0.0", ("5;", "6;")),
+    ("s7-200", "LD I0.0; TON T37, 5; LDW>= T37, 7; = Q0.0", (">=", "> ")),
+    ("s7-200", "LD I0.0; LD I0.1; CTU C0, 2; LDW= C0, 3; = Q0.0", ("LDW= ", "LDW>= ")),
+    ("s7-200", "LD I0.1; MOVW 5, VW0; LD I0.0; TON T37, VW0; LD T37; = Q0.0", ("MOVW 5", "MOVW 6")),
+    ("s7-200", "LD I0.0; TON T37, 5; LD I0.1; TON T37, 9; LD T37; = Q0.0", ("9;", "8;")),
+    ("fx", "LD X0; OUT T0 K5; LD M8000; MOV T0 D0; LD>= D0 K3; OUT Y0", ("K3", "K4")),
+    ("neza", "%TM0: TYPE=TON TB=100ms P=5; LD %I0.0; IN %TM0; LD 1; [%MW0 := %TM0.V]; LD [%MW0 >= 3]; ST %Q0.0", (">= 3", ">= 4")),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("family", "text", "change"), MOVED)
+def test_a_number_that_goes_elsewhere_is_followed(family: str, text: str, change: tuple[str, str]) -> None:
+    mine, theirs = programs(family, text, text.replace(*change))
+    assert compare(mine, theirs).status == "different"
+    renamed = text.replace("T37", "T101").replace("C0", "C9").replace("D0", "D7")
+    assert compare(mine, programs(family, renamed)[0]).status == "equal"
