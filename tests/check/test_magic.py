@@ -17,6 +17,7 @@ from plcteach.check.score import grade
 def shell():
     config = Config()
     config.HistoryManager.enabled = False
+    config.InteractiveShell.warn_venv = False
     shell = InteractiveShell(config=config)
     shell.run_line_magic("load_ext", "plcteach")
     return shell
