@@ -39,6 +39,9 @@ class Terms:
     never: tuple[str, ...] = ()
 
 
+NeedKind = Literal["most", "uses", "avoids", "contact", "edits"]
+
+
 @dataclass(frozen=True, slots=True)
 class Need:
     """One thing that the answer's text must show beside doing the same, because equivalence cannot see it.
@@ -47,7 +50,7 @@ class Need:
     contains this contact; `/Q0.1` is a normally closed one), "edits" (at most so many lines changed).
     """
 
-    what: Literal["most", "uses", "avoids", "contact", "edits"]
+    what: NeedKind
     value: str
     rung: str = ""
     says: Text = NOTHING
@@ -57,7 +60,7 @@ class Need:
 class WrongSample:
     """An answer that must not get full marks: with this diagnostic's code, as "different", or as "equal" where a need is not met.
 
-    because: what its writer believed.      misconception: the number of that belief in the table of usual wrong ideas; 0 is none of them.
+    because: what its writer believed.  misconception: the number of that belief in the table of usual wrong ideas; 0 is none.
     """
 
     program: str

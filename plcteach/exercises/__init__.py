@@ -8,11 +8,11 @@ import tomllib
 from functools import cache
 from importlib.resources import files
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, get_args
 
 from plcteach.core.diagnostic import RULES
 from plcteach.core.errors import DeclarationError, UnknownNameError, nearest
-from plcteach.core.exercise import KINDS, Exercise, Need, Terms, WrongSample
+from plcteach.core.exercise import KINDS, Exercise, Need, NeedKind, Terms, WrongSample
 from plcteach.core.text import NOTHING, Text, language
 
 if TYPE_CHECKING:
@@ -247,7 +247,7 @@ def _wrong_one(sample: dict[str, Any]) -> WrongSample:
 
 _VERDICTS = ("different", "unsettled", "unknown", "equal")
 """What a wrong sample may be promised beside a diagnostic; "equal": it does the right thing, but a need is not met."""
-_NEEDS = ("most", "uses", "avoids", "contact", "edits")
+_NEEDS = get_args(NeedKind)
 
 
 def _need(row: dict[str, Any]) -> Need:

@@ -31,10 +31,15 @@ class Rows:
 
     def variable(self, number: int) -> Column:
         """Give the column of one variable."""
-        block = 1 << number
-        ones = ((1 << block) - 1) << block
-        width = block * 2
-        while width < self.cases:
-            ones |= ones << width
-            width *= 2
+        ones = pattern(number, self.cases)
         return Column(((1 << self.cases) - 1) & ~ones, ones)
+
+
+def pattern(number: int, cases: int) -> int:
+    """Give a variable's values in 2^n cases: case k has bit `number` of k."""
+    block = 1 << number
+    ones, width = ((1 << block) - 1) << block, block * 2
+    while width < cases:
+        ones |= ones << width
+        width *= 2
+    return ones

@@ -56,22 +56,20 @@ class Setting:
 
 
 class _Scaled(Store[Any]):
-    """What stands in a program before it runs, its times in units."""
+    """A store whose times are counted in units."""
 
-    def __init__(self, setting: Setting, program: Program) -> None:
-        super().__init__(program, Memory(), setting.graph.domain)
-        self.unit = setting.unit
+    unit: int
 
     def base(self, block: Address) -> int:
         """Give a timer's time base in units."""
         return super().base(block) // self.unit
 
 
-class _Gated(Plant[Any]):
+class _Gated(_Scaled, Plant[Any]):
     """A plant of gates, in which time comes in ticks and the clocks are free."""
 
     def __init__(self, setting: Setting, side: int, program: Program, memory: Memory[Any]) -> None:
-        self.setting_of, self.side = setting, side
+        self.graph, self.unit, self.side = setting.graph, setting.unit, side
         self.pending: Any = None
         inputs = _inputs(setting, program)
         super().__init__(program, memory, inputs, setting.graph.domain)
@@ -84,22 +82,16 @@ class _Gated(Plant[Any]):
     def lapse(self, ms: int) -> Any:
         """Give the time since the last scan in units: none or one, and none before the first."""
         del ms
-        graph = self.setting_of.graph
-        self.pending = graph.variable(TICK) if self.scans else graph.zero
-        return Vector((self.pending, graph.zero), graph.zero)
-
-    def base(self, block: Address) -> int:
-        """Give a timer's time base in units."""
-        return super().base(block) // self.setting_of.unit
+        self.pending = self.graph.variable(TICK) if self.scans else self.graph.zero
+        return Vector((self.pending, self.graph.zero), self.graph.zero)
 
     def share(self, first: int, stop: int, of: int) -> Any:
         """Let the tick of the fastest timers come somewhere in the scan, nobody knows where; at its end at the latest."""
-        graph = self.setting_of.graph
         here = self.pending
         if stop < of and self.scans:
-            here = here & graph.variable(("here", self.side, first, stop))
+            here = here & self.graph.variable(("here", self.side, first, stop))
         self.pending = self.pending & ~here
-        return Vector((here, graph.zero), graph.zero)
+        return Vector((here, self.graph.zero), self.graph.zero)
 
     def keep(self, one: Step[Any], run: Any = None) -> None:
         """Take over what a step wrote; a number that has grown wider than it can ever be loses the bits that are always 0."""
@@ -122,12 +114,11 @@ class _Gated(Plant[Any]):
         found: dict[str, Any] = super().driven()
         if not self.scans:
             return found
-        graph = self.setting_of.graph
         for address in self.dialect.moving:
             if self.dialect.specials[address] == "turns":
                 found[address] = ~self.memory.bits[address]
             else:
-                found[address] = graph.variable(("clock", address))
+                found[address] = self.graph.variable(("clock", address))
         return found
 
 
@@ -211,7 +202,8 @@ class _Builder:
     def flat(self, memory: Memory[Any]) -> dict[Key, Bit]:
         """Give a memory bit by bit."""
         found: dict[Key, Bit] = {("bit", key): value for key, value in memory.bits.items() if key not in self.taken}
-        store = _Scaled(self.setting, self.program)
+        store = _Scaled(self.program, Memory(), self.graph.domain)
+        store.unit = self.setting.unit
         fresh = [key for key in memory.words if key not in self.ranges]
         self.ranges |= bounds(self.program, store, fresh)
         for key, value in memory.words.items():

@@ -70,14 +70,13 @@ def _guessed(product: Product) -> Classes:
     *state, fair = first.call(held, every)
     traces = [value & fair for value in state]
     alive = fair
-    for scan in range(1, SCANS):
+    for _ in range(1, SCANS):
         held = [one ^ (chance.getrandbits(LANES) & chance.getrandbits(LANES)) for one in held]
         *state, fair = later.call([*state, *held], every)
         alive &= fair
         traces = [trace << LANES | value & alive for trace, value in zip(traces, state, strict=True)]
         if not alive:
             break
-        del scan
     return _grouped(traces, count, sure=alive == every)
 
 

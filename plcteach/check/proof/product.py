@@ -228,10 +228,15 @@ class _Asking:
             fair &= self.one_change(first=first)
         return Question(bad, fair, {text: pair for text in self.outputs if (pair := self.both(text, memories))})
 
-    def differ(self, text: str, memories: tuple[Memory[Any], ...]) -> Gate:
-        """Say where an output differs, or is x in the student's program, and it matters."""
+    def values(self, text: str, memories: tuple[Memory[Any], ...]) -> tuple[Any, Any]:
+        """Give what an output holds in both programs."""
         place = address_of(self.pair[0].program.dialect, text)
         mine, theirs = (one.value(memory, place) for one, memory in zip(self.pair, memories, strict=True))
+        return mine, theirs
+
+    def differ(self, text: str, memories: tuple[Memory[Any], ...]) -> Gate:
+        """Say where an output differs, or is x in the student's program, and it matters."""
+        mine, theirs = self.values(text, memories)
         wrong = self.graph.zero
         for a, b in _pairs(mine, theirs):
             wrong |= differs(a, b) | b.unknown
@@ -240,8 +245,7 @@ class _Asking:
 
     def both(self, text: str, memories: tuple[Memory[Any], ...]) -> tuple[Gate, Gate] | None:
         """Give what both programs put out; None where it is no bit."""
-        place = address_of(self.pair[0].program.dialect, text)
-        mine, theirs = (one.value(memory, place) for one, memory in zip(self.pair, memories, strict=True))
+        mine, theirs = self.values(text, memories)
         return None if isinstance(mine, Vector) else (mine.surely, theirs.surely)
 
     def formula(self, text: str, side: int, memory: Memory[Any]) -> Any:

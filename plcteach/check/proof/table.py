@@ -9,6 +9,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from plcteach.machine.rows import pattern
+
 if TYPE_CHECKING:
     from collections.abc import Hashable, Mapping
 
@@ -32,15 +34,7 @@ class TooLarge(Exception):  # noqa: N818 (no error: the answer is not known)
 
 def patterns(count: int) -> list[int]:
     """Give for each of some variables its values in all cases: case k gives variable v bit v of k."""
-    found = []
-    for number in range(count):
-        block = 1 << number
-        ones, width = ((1 << block) - 1) << block, block * 2
-        while width < 1 << count:
-            ones |= ones << width
-            width *= 2
-        found.append(ones)
-    return found
+    return [pattern(number, 1 << count) for number in range(count)]
 
 
 def model_of(

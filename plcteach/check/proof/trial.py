@@ -47,8 +47,9 @@ SHORT, LONG, CHANCES, INDUCTIONS = 1_000_000, 6_000_000, 2_000_000, 3_000_000
 class Trial:
     """Two programs on trial: the reference first.
 
-    restless: the program that never comes to rest.  purse, thought: what all searches, and all inductions, may still cost.  proved: outputs that induction
-    has proved.  ghost: a difference was found that no time and no clock can bring about, so that no search need be made again.
+    restless: the program that never comes to rest.  purse, thought: what all searches, and all inductions, may still cost.
+    proved: outputs that induction has proved.  ghost: a difference was found that no time and no clock can bring about, so that
+    no search need be made again.
     """
 
     programs: tuple[Program, Program]
