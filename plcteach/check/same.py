@@ -8,7 +8,8 @@ change of the inputs: so rungs in another order are the same, and 49 for 50 is n
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import TYPE_CHECKING
 
 from plcteach.check.proof.product import product
@@ -22,6 +23,7 @@ from plcteach.dialects import names
 from plcteach.ladder.either import read_either
 from plcteach.machine.gates import Unprovable
 from plcteach.machine.scan import sweep
+from plcteach.machine.signals import X
 from plcteach.machine.store import Memory
 from plcteach.machine.words import BITS
 
@@ -33,6 +35,9 @@ if TYPE_CHECKING:
     from plcteach.core.spec import Dialect
     from plcteach.machine.signals import Column
     from plcteach.machine.step import Step
+
+Places = dict["Address", Span]
+"""What a program writes, each with the line that does so first."""
 
 MOST_INSTRUCTIONS = 2_000
 MOST_REMEMBERED = 512
@@ -50,15 +55,16 @@ def compare(
     Each may be a program, or the text of a list or a drawing in the family `dialect`, and then PlcTeachError says what is wrong
     with it. DeclarationError or UnknownNameError where the terms do not read.
     """
-    reference, student = _sound(reference, dialect), _sound(student, dialect)
-    key = (_kernel(reference), _kernel(student), _spelled(terms))
+    pair = _Pair(_sound(reference, dialect), _sound(student, dialect), terms)
+    mine, theirs = _kernel(pair.reference), _kernel(pair.student)
+    key = (mine, theirs, _spelled(terms))
     verdict = _known.get(key)
     if verdict is None:
-        verdict = _judged(reference, student, terms)
+        verdict = pair.alike() if mine == theirs and not terms.never else pair.judged()
         if len(_known) >= MOST_REMEMBERED:
             del _known[next(iter(_known))]
         _known[key] = verdict
-    return replace(verdict, diagnostics=(*_beside(reference, student, verdict), *verdict.diagnostics))
+    return replace(verdict, diagnostics=(*pair.beside(verdict), *verdict.diagnostics))
 
 
 _known: dict[Hashable, Verdict] = {}
@@ -93,20 +99,61 @@ def _spelled(terms: Terms) -> Hashable:
     )
 
 
-def _judged(reference: Program, student: Program, terms: Terms) -> Verdict:
-    """Give the verdict without what there is to say beside it."""
-    if _kernel(reference) == _kernel(student) and not terms.never:
-        return Verdict("equal", "structural", None, dict.fromkeys(_outputs(reference, terms), "equal"))
-    if max(len(reference.lines), len(student.lines)) > MOST_INSTRUCTIONS:
-        return Verdict("unknown", outputs=dict.fromkeys(_outputs(reference, terms), "unknown"))
-    try:
-        asked = product(reference, student, terms)
-    except Unprovable:
-        return _tried(reference, student, terms)
-    trial = Trial((reference, student), terms, asked)
-    if not asked.state:
-        return trial.decided(settled=False)
-    return _in_time(trial, terms)
+@dataclass(frozen=True)
+class _Pair:
+    """Two programs to be compared, and what each of them writes."""
+
+    reference: Program
+    student: Program
+    terms: Terms
+
+    @cached_property
+    def mine(self) -> Places:
+        """What the reference writes."""
+        return _written(self.reference)
+
+    @cached_property
+    def outputs(self) -> tuple[str, ...]:
+        """The outputs compared: those asked for, or those that the reference writes."""
+        return (*(self.terms.outputs or _outputs(self.reference, self.mine)), *self.terms.never)
+
+    def alike(self) -> Verdict:
+        """Give the verdict where the student's program is the reference, line by line."""
+        return Verdict("equal", "structural", None, dict.fromkeys(self.outputs, "equal"))
+
+    def judged(self) -> Verdict:
+        """Give the verdict without what there is to say beside it."""
+        if max(len(self.reference.lines), len(self.student.lines)) > MOST_INSTRUCTIONS:
+            return Verdict("unknown", outputs=dict.fromkeys(self.outputs, "unknown"))
+        try:
+            asked = product(self.reference, self.student, self.terms)
+        except Unprovable:
+            return self.tried()
+        trial = Trial((self.reference, self.student), self.terms, asked)
+        if not asked.state:
+            return trial.decided(settled=False)
+        return _in_time(trial, self.terms)
+
+    def tried(self) -> Verdict:
+        """Try both over many timelines on the plain machine; exactly, or so that only a difference that lasts counts."""
+        lasting = 1 if self.terms.level == "exact" else LASTING
+        verdict = tried((self.reference, self.student), self.outputs, self.terms, lasting=lasting)
+        return replace(verdict, level="settled") if self.terms.level == "settled" else verdict
+
+    def beside(self, verdict: Verdict) -> tuple[Diagnostic, ...]:
+        """Say which outputs the student writes beyond the reference, and which never."""
+        if verdict.proof == "structural":
+            return ()
+        mine = {place.text for place in self.mine}
+        dialect = self.student.dialect
+        theirs = {
+            place.text: span for place, span in _written(self.student).items() if dialect.area(place).role == "output"
+        }
+        extra = [rule("CHK001").at(theirs[text], address=text) for text in sorted(theirs) if text not in mine]
+        missing = [
+            rule("CHK002").at(Span(0), address=text) for text in verdict.outputs if text in mine and text not in theirs
+        ]
+        return tuple(extra + missing)
 
 
 def _in_time(trial: Trial, terms: Terms) -> Verdict:
@@ -125,48 +172,32 @@ def _in_time(trial: Trial, terms: Terms) -> Verdict:
     return settled
 
 
-def _tried(reference: Program, student: Program, terms: Terms) -> Verdict:
-    """Try two programs over many timelines on the plain machine; exactly, or so that only a difference that lasts counts."""
-    lasting = 1 if terms.level == "exact" else LASTING
-    verdict = tried((reference, student), _outputs(reference, terms), terms, lasting=lasting)
-    return replace(verdict, level="settled") if terms.level == "settled" else verdict
-
-
-def _outputs(program: Program, terms: Terms) -> tuple[str, ...]:
-    """Give the outputs compared: those asked for, or those that the reference writes."""
-    return (*(terms.outputs or outputs_of(program)), *terms.never)
-
-
 def outputs_of(program: Program) -> tuple[str, ...]:
     """Give the outputs that a program writes, in order; where it writes none, all bits that it writes."""
-    places = sorted(_written(program), key=lambda place: (place.area, place.index, place.text))
+    return _outputs(program, _written(program))
+
+
+def _outputs(program: Program, written: Places) -> tuple[str, ...]:
+    places = sorted(written, key=lambda place: (place.area, place.index, place.text))
     outputs = tuple(one.text for one in places if program.dialect.area(one).role == "output")
     return outputs or tuple(one.text for one in places if one.size == 1)
 
 
-def _written(program: Program) -> dict[Address, Span]:
-    """Run one scan to see what a program writes, and where."""
-    found: dict[Address, Span] = {}
+def _written(program: Program) -> Places:
+    """Run one scan, with nothing known of the inputs, to see what a program writes, and where; and look where it did not come."""
+    found: Places = {}
+    dialect = program.dialect
 
     def watch(one: Step[Column]) -> None:
         for place, _ in one.written:
-            for bit in program.dialect.bits_of(place) or (place,):
+            for bit in dialect.bits_of(place) or (place,):
                 found.setdefault(bit, one.line.span)
 
-    sweep(program, Memory(), {}, BITS, watch)
+    inputs = {bit.text: X for place in program.addresses("input") for bit in dialect.bits_of(place)}
+    sweep(program, Memory(), inputs, BITS, watch)
+    for line in program.lines:
+        for _, place in line.targets:
+            if dialect.area(place).role == "output":
+                for bit in dialect.bits_of(place) or (place,):
+                    found.setdefault(bit, line.span)
     return found
-
-
-def _beside(reference: Program, student: Program, verdict: Verdict) -> tuple[Diagnostic, ...]:
-    """Say which outputs the student writes beyond the reference, and which never."""
-    if verdict.proof == "structural":
-        return ()
-    mine = {place.text for place in _written(reference)}
-    theirs = {
-        place.text: span for place, span in _written(student).items() if student.dialect.area(place).role == "output"
-    }
-    extra = [rule("CHK001").at(theirs[text], address=text) for text in sorted(theirs) if text not in mine]
-    missing = [
-        rule("CHK002").at(Span(0), address=text) for text in verdict.outputs if text in mine and text not in theirs
-    ]
-    return tuple(extra + missing)

@@ -611,3 +611,17 @@ def test_edges_are_told_apart_from_each_other_and_from_none(name: str, form: str
     for (one, mine), (other, theirs) in product(zip(every, shown, strict=True), repeat=2):
         verdict = checked(one, other)
         assert verdict.status == ("equal" if mine == theirs else "different")
+
+
+@pytest.mark.parametrize(
+    ("text", "outputs"),
+    [
+        ("LD I0.0 / JMP 1 / LD I0.1 / S Q0.0, 3 / LBL 1", "Q0.0 Q0.1 Q0.2"),
+        ("LSCR S0.1 / LD I0.0 / = Q0.3 / SCRE", "Q0.3"),
+        ("LD M0.0 / JMP 1 / LD I0.1 / = Q1.0 / LBL 1 / LD I0.0 / = Q0.0", "Q0.0 Q1.0"),
+        ("LBL 1 / LD SM0.0 / JMP 1 / LD I0.0 / = Q0.0", "Q0.0"),
+        ("LD I0.0 / = M0.0", "M0.0"),
+    ],
+)
+def test_an_output_counts_where_the_first_scan_does_not_come_as_well(text: str, outputs: str) -> None:
+    assert same.outputs_of(read(text.replace(" / ", "\n"), "s7-200")) == tuple(outputs.split())
