@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass, field
+from functools import cached_property
 from typing import TYPE_CHECKING, Literal
 
 from plcteach.core.text import Text
@@ -39,7 +40,7 @@ class Address:
         return -(1 << self.size >> 1) <= number < 1 << self.size
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Area:
     """An area: its letters, how it is numbered, its ends, and how wide what is numbered is.
 
@@ -98,7 +99,11 @@ class Area:
         """Say whether a number lies in the area."""
         if self.even and index % 2:
             return False
-        return any((self.index(first) or 0) <= index <= (self.index(last) or 0) for first, last in self.ranges)
+        return any(first <= index <= last for first, last in self._ends)
+
+    @cached_property
+    def _ends(self) -> tuple[tuple[int, int], ...]:
+        return tuple((self.index(first) or 0, self.index(last) or 0) for first, last in self.ranges)
 
     def address(self, index: int) -> Address:
         """Give the address with this number, in canonical spelling."""

@@ -6,7 +6,7 @@ A row that cannot work (an operand nobody declares, a number of cells without a 
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 from plcteach.core.effect import At, Effect
@@ -77,6 +77,12 @@ class Insn:
     bare: Effect | None = None
     close: Effect | None = None
     separator: str = ", "
+    does: frozenset[VerbName] = field(init=False, compare=False, repr=False)
+    """The names of what it does beside its stack effect."""
+
+    def __post_init__(self) -> None:
+        """Name what it does once; it is asked for at every line."""
+        object.__setattr__(self, "does", frozenset(verb.name for verb in self.then))
 
     def __repr__(self) -> str:
         return f"Insn({self.mnemonic!r}, {self.effect.text!r})"
@@ -87,14 +93,9 @@ class Insn:
         return self.mnemonic.partition(" ")[0]
 
     @property
-    def does(self) -> set[VerbName]:
-        """The names of what it does beside its stack effect."""
-        return {verb.name for verb in self.then}
-
-    @property
     def powers(self) -> bool:
         """Whether it powers the rail for the lines below it, so that what it loads need not be used."""
-        return bool(self.does & {"step", "segment"})
+        return not self.does.isdisjoint(("step", "segment"))
 
     @property
     def retentive(self) -> bool:

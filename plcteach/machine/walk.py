@@ -105,9 +105,14 @@ def _move(dialect: Dialect, line: Line, before: Cells) -> Move:
     lost = tuple(place for place in moves.lost if before[place[0]][place[1]].live)
     dropped = tuple(place for place in moves.dropped if before[place[0]][place[1]].live)
     used = {moves.named[name] for name in _read_by_verbs(line) if name in moves.named}
+    spent, branch = line.insn.powers, role == "push"
     after = tuple(
         tuple(
-            _cell(origin, before, Cell(line, line.insn.powers, role == "push", origin.tag), (number, place), used)
+            _kept(origin, before, (number, place), used)
+            if origin.how == "kept"
+            else Cell()
+            if origin.how == "blank"
+            else Cell(line, spent, branch, origin.tag)
             for place, origin in enumerate(stack)
         )
         for number, stack in enumerate(moves.after)
@@ -119,12 +124,8 @@ def _read_by_verbs(line: Line) -> set[str]:
     return {name for verb in line.insn.then for name in verb.names}
 
 
-def _cell(origin: Origin, before: Cells, new: Cell, here: Place, used: set[Place]) -> Cell:
-    """Give a cell afterwards: a kept one is spent once read by an output, and no branch point any more once it is the top."""
-    if origin.how == "blank":
-        return Cell()
-    if origin.how != "kept":
-        return new
+def _kept(origin: Origin, before: Cells, here: Place, used: set[Place]) -> Cell:
+    """Give a kept cell afterwards: it is spent once read by an output, and no branch point any more once it is the top."""
     stack, place = origin.sources[0]
     cell = before[stack][place]
     top = here == (0, 0)
