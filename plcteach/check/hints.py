@@ -1,6 +1,6 @@
 """What to say to a learner who is stuck, from vague to plain, and which wrong idea an answer shows.
 
-Nothing here guesses aloud: a finding stands in the text, a repair has been proved, and the rest the exercise's author wrote.
+Nothing here guesses aloud: a repair has been proved, and the rest the exercise's author wrote.
 """
 
 from __future__ import annotations
@@ -11,7 +11,6 @@ from plcteach.check.against import reference, verdict_on
 from plcteach.check.kinds import KINDS
 from plcteach.check.repair import repair
 from plcteach.core.diagnostic import rule
-from plcteach.core.text import Text, joined
 from plcteach.stl import read
 
 if TYPE_CHECKING:
@@ -22,32 +21,21 @@ if TYPE_CHECKING:
     from plcteach.core.diagnostic import Diagnostic
     from plcteach.core.exercise import Exercise, WrongSample
     from plcteach.core.program import Program
+    from plcteach.core.text import Text
 
 __all__ = ["believed", "hints", "mended"]
 
-MOST_FINDINGS = 3
 _WRONG = {"different", "error", "unsettled"}
 
 
 def hints(judgement: Judgement) -> tuple[Text, ...]:
-    """Give hints to be shown one after the other: what was found in the text, the repair in stages, the exercise's own.
+    """Give hints to be shown one after the other: the repair in stages, then the exercise's own; none of a right answer.
 
-    Of a right answer: only what could be written better. A hidden reference keeps its last stage, the edit itself, to itself.
+    What was found in the text is no hint: it is said anyway. A hidden reference keeps its last stage, the edit, to itself.
     """
-    found = judgement.verdict.diagnostics
     if judgement.verdict.status == "equal":
-        return _different(_said(one) for one in found if rule(one.code).style)
-    serious = [one for one in found if one.severity != "info"][:MOST_FINDINGS]
-    return _different([*map(_said, serious), *_stages(judgement), *judgement.exercise.hints])
-
-
-def _different(texts: Iterable[Text]) -> tuple[Text, ...]:
-    return tuple(dict.fromkeys(texts))
-
-
-def _said(one: Diagnostic) -> Text:
-    row = Text(f"第{one.span.row}行：", f"Row {one.span.row}:") if one.span.row else Text("", "")
-    return joined((row, one.text))
+        return ()
+    return tuple(dict.fromkeys([*_stages(judgement), *judgement.exercise.hints]))
 
 
 def _stages(judgement: Judgement) -> tuple[Text, ...]:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, Literal
 from plcteach.check.chart import chart_of, held, passed
 from plcteach.check.judge import shown
 from plcteach.core.diagnostic import errors
-from plcteach.core.text import NOTHING, Text
+from plcteach.core.text import NOTHING, Text, joined
 from plcteach.figure.face import lasting
 
 if TYPE_CHECKING:
@@ -240,8 +240,7 @@ def report_html(judgement: Judgement, lang: str) -> str:
     """Give the report as HTML: the headline, the marks by parts, the remarks, the findings, and the counterexample's chart."""
     rows = [f"<p><strong>{escape(headline(judgement).in_(lang))}</strong></p>"]
     if len(judgement.parts) > 1 or 0 < judgement.marks < judgement.exercise.points:
-        parts = (f"{escape(one.name.in_(lang))} {one.got:g}/{one.of:g}" for one in judgement.parts)
-        rows.append(f"<p>{escape(marks_said(judgement).in_(lang))}: {', '.join(parts)}</p>")
+        rows.append(f"<p>{escape(_marks_by_parts(judgement).in_(lang))}</p>")
     remarks = [escape(one.in_(lang)) for one in judgement.says]
     remarks += [_finding_html(one, lang) for one in judgement.verdict.diagnostics[:_MOST_FINDINGS]]
     if remarks:
@@ -252,6 +251,20 @@ def report_html(judgement: Judgement, lang: str) -> str:
     if judgement.grid and judgement.wrong:
         rows.append(_grid_html(judgement, lang))
     return "".join(rows)
+
+
+def _marks_by_parts(judgement: Judgement) -> Text:
+    """Say the marks, and where there are several parts what was reached of each."""
+    said = Text("得分：{marks}", "Marks: {marks}").format(marks=marks_said(judgement))
+    if len(judgement.parts) < 2:  # noqa: PLR2004 (one part is the whole)
+        return said
+    each = [
+        Text("{name}{of}分得{got}分", "{name} {got} of {of}").format(
+            name=one.name, got=f"{one.got:g}", of=f"{one.of:g}"
+        )
+        for one in judgement.parts
+    ]
+    return Text("{said}（{each}）", "{said} ({each})").format(said=said, each=joined(each, "，", ", "))
 
 
 def _finding_html(one: Diagnostic, lang: str) -> str:

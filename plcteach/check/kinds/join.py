@@ -11,7 +11,7 @@ from plcteach.core.diagnostic import rule
 from plcteach.core.effect import flow
 from plcteach.core.errors import DeclarationError
 from plcteach.core.source import Span
-from plcteach.core.text import Text
+from plcteach.core.text import NOTHING, Text
 
 if TYPE_CHECKING:
     from plcteach.core.effect import Origin
@@ -22,7 +22,6 @@ Made = tuple[int, ...]
 """The numbers of the instructions that have made the value of a cell, from 0."""
 
 _JOINED = 2
-_QUESTION = Text("第{row}行的{line}连接哪两个电路块？", "Which two blocks does {line} in row {row} join?")
 _ONE_RIGHT = Text(
     "一个电路块对了，另一个不对。连接指令取它上面最近的两个已经完成的块。",
     "One block is right, the other is not. A join takes the two nearest finished blocks above it.",
@@ -36,12 +35,11 @@ _BETWEEN = re.compile(r"[\s,;:()\[\]+&|]|and|和|与")
 
 
 def shown(exercise: Exercise) -> Sheet:
-    """Give the list with its instructions numbered, and the question."""
+    """Give the list with its instructions numbered; the task asks."""
     program = looked_at(exercise)
+    _join(exercise, program)
     lines = tuple(line.text for line in program.lines)
-    join = _join(exercise, program)
-    text = _QUESTION.format(row=exercise.row, line=join.text)
-    return Sheet("blocks", text, program, seen(exercise), lines, start=exercise.start)
+    return Sheet("blocks", NOTHING, program, seen(exercise), lines, start=exercise.start)
 
 
 def judged(exercise: Exercise, answer: str | bytes) -> Judgement:
