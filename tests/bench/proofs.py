@@ -71,7 +71,10 @@ def beside(show: Callable[..., None]) -> None:
             forget()
             ours, verdict = once(lambda r=reference, s=student: compare(r, s))
             rows.append((f"{what}: plcteach, {verdict.status} by {verdict.proof}", f"{ours * 1e3:.2f} ms"))
-            theirs = asked_of_pyrung(pairs, turned=what == "different") if patient else None
+            if not patient:
+                rows.append((f"{what}: pyrung", f"not asked: it took more than {ENOUGH_S} s for fewer inputs"))
+                continue
+            theirs = asked_of_pyrung(pairs, turned=what == "different")
             if theirs is None:
                 continue
             patient &= theirs[0] < ENOUGH_S

@@ -12,6 +12,7 @@ from hypothesis import strategies as st
 
 from plcteach.core.area import Area
 from plcteach.core.diagnostic import errors
+from plcteach.core.source import half_width
 from plcteach.dialects import dialect, names
 from plcteach.stl import read, write, write_bytes
 from plcteach.stl.writer import Form
@@ -95,6 +96,7 @@ def test_odd_comments_survive(comment: str) -> None:
 # Random programs, made from the table: every mnemonic with legal operands, with titles and comments.
 
 WORDS = st.text(st.characters(exclude_characters="\r\n\x00", exclude_categories=["Cs", "Cc", "Zl", "Zp"]), max_size=12)
+REMARKS = WORDS.filter(lambda text: "*)" not in half_width(text))  # ×） and the like end a comment as well
 PLAIN = st.text(st.sampled_from("ab 启动，.-=1(*)/;："), max_size=10)
 
 
@@ -168,7 +170,7 @@ def texts(draw: st.DrawFn, name: str) -> str:
         elif what == 1:
             rows.append(draw(st.sampled_from(["// ", "; ", "//"])) + draw(PLAIN | WORDS))
         elif what == 2:
-            rows.append(f"(* {draw(WORDS).replace('*)', '')}\n{draw(WORDS).replace('*)', '')} *)")
+            rows.append(f"(* {draw(REMARKS)}\n{draw(REMARKS)} *)")
         else:
             insn = draw(st.sampled_from(family.insns))
             tail = draw(st.sampled_from(["", "", " ;"]) | WORDS.map(" // {}".format))
