@@ -2,6 +2,11 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass, field
+
+SHORT, LONG, WAITING, CHANCES, INDUCTIONS = 1_000_000, 6_000_000, 6_000_000, 2_000_000, 3_000_000
+"""Work for a short search, for all long ones together, for holding inputs for long, for one trial by chance, for all inductions."""
+
 
 class Budget:
     """Some units of work; a million is something like a tenth of a second."""
@@ -19,3 +24,12 @@ class Budget:
     def spent(self) -> bool:
         """Whether nothing is left."""
         return self.units < 0
+
+
+@dataclass(frozen=True, slots=True)
+class Means:
+    """What one comparison may spend in all, whatever it does for each output: on searches, on inductions, on waiting."""
+
+    searches: Budget = field(default_factory=lambda: Budget(LONG))
+    inductions: Budget = field(default_factory=lambda: Budget(INDUCTIONS))
+    waiting: Budget = field(default_factory=lambda: Budget(WAITING))

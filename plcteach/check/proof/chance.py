@@ -1,17 +1,20 @@
-"""Two programs run by chance, where no proof and no search comes to an end: many timelines at once, the same ones everywhere.
+"""Two programs run where no proof and no search comes to an end: many timelines at once, the same ones everywhere.
 
-What is found is then cut down: presses that are not needed are taken back, many such attempts side by side in one run.
+Some are patient: two combinations of inputs follow each other, and the second is held until the longest timer is over, or they
+take turns until a counter is full. The others go by chance; what they find is then cut down: presses that are not needed are
+taken back, many such attempts side by side in one run.
 """
 
 from __future__ import annotations
 
+from itertools import islice
 from random import Random
 from typing import TYPE_CHECKING
 
 from plcteach.machine.world import beat
 
 if TYPE_CHECKING:
-    from collections.abc import Hashable, Mapping, Sequence
+    from collections.abc import Hashable, Iterable, Iterator, Mapping, Sequence
 
     from plcteach.check.proof.budget import Budget
     from plcteach.check.proof.product import Product, Question
@@ -20,6 +23,8 @@ if TYPE_CHECKING:
 
 LANES, SCANS = 256, 400
 MOST_ROUNDS = 60
+PAIRS, PATIENT_SCANS, AT_FIRST = 256, 33_000, 3
+"""So many pairs of combinations are held, for so many scans (the longest preset and a few); the first one only at first."""
 CLOCK_MS = 100
 """So much time passes in a scan where there is no timer, and only clocks tell of it."""
 _SEED = 20030907
@@ -50,12 +55,51 @@ class Chance:
     def found(self, *, lasting: int = 1) -> list[Scan] | None:
         """Give scans that end with a difference, lasting so many of them; None where none was found."""
         rows = self.timelines()
-        ended = self.run([list(scan) for scan in rows], LANES, lasting)
+        ended = self.run(rows, LANES, lasting)
         if ended is None:
             return None
         last, lane = ended
         mine = [[value >> lane & 1 for value in scan] for scan in rows[: last + 1]]
         return [dict(zip(self.names, scan, strict=True)) for scan in self.lessened(mine, lasting)]
+
+    def patient(self) -> list[Scan] | None:
+        """Give scans that end with a difference, where inputs are held for long or take turns; None where none was found."""
+        pairs = self.pairs()
+        ended = self.run(self.waiting(pairs), 2 * len(pairs))
+        if ended is None:
+            return None
+        last, lane = ended
+        turns, number = divmod(lane, len(pairs))
+        rows = islice(self.waiting([pairs[number]]), last + 1)
+        return [{name: value >> turns & 1 for name, value in zip(self.names, row, strict=True)} for row in rows]
+
+    def pairs(self) -> list[tuple[int, int]]:
+        """Give pairs of combinations of what an operator can press, a bit for each button; those with few presses first."""
+        chance = Random(_SEED)  # noqa: S311 (the same timelines everywhere, on purpose)
+        count = self.drift.count(False)
+        if 1 << 2 * count <= PAIRS:
+            found = {(one, two) for one in range(1 << count) for two in range(1 << count)}
+        else:
+            single = [0, *(1 << button for button in range(count))]
+            found = {(one, two) for one in single[:16] for two in single[:8]}
+            while len(found) < PAIRS:
+                found.add((chance.getrandbits(count), chance.getrandbits(count)))
+        return sorted(found, key=lambda pair: (pair[0].bit_count() + (pair[0] ^ pair[1]).bit_count(), pair))
+
+    def waiting(self, pairs: Sequence[tuple[int, int]]) -> Iterator[list[int]]:
+        """Give the scans of two timelines a pair: in the one the second combination is held, in the other they take turns."""
+        count = len(pairs)
+        every = (1 << 2 * count) - 1
+        buttons = [place for place, drifts in enumerate(self.drift) if not drifts]
+        one, two = (
+            [sum((pair[which] >> bit & 1) << lane for lane, pair in enumerate(pairs)) for bit in range(len(buttons))]
+            for which in (0, 1)
+        )
+        for scan in range(PATIENT_SCANS):
+            row = [every * self.moved(name, scan, scan * self.tick_ms) for name in self.names]
+            for place, a, b in zip(buttons, one, two, strict=True):
+                row[place] = (a if scan < AT_FIRST else b) | (b if scan & 1 else a) << count
+            yield row
 
     def timelines(self) -> Rows:
         """Give inputs that are turned over now and then: in a quarter of the timelines often, in the others more seldom."""
@@ -67,7 +111,7 @@ class Chance:
             ms += self.tick_ms if scan else 0
             for place, name in enumerate(self.names):
                 if self.drift[place]:
-                    now[place] = self.moved(name, scan, ms)
+                    now[place] = self.moved(name, scan, ms) * ((1 << LANES) - 1)
                     continue
                 turned = 0
                 for number, group in enumerate(groups):
@@ -80,16 +124,15 @@ class Chance:
         return rows
 
     def moved(self, name: Hashable, scan: int, ms: int) -> int:
-        """Give what nobody presses, in all timelines alike: time passes in every scan, and the clocks go by it."""
-        every = (1 << LANES) - 1
+        """Give what nobody presses: time passes in every scan, and the clocks go by it."""
         match name:
             case ("clock", str(address)):
-                return every * beat(self.product.circuits[0].program.dialect.specials[address], scan, ms)
+                return beat(self.product.circuits[0].program.dialect.specials[address], scan, ms)
             case ("tick",):
-                return every
+                return 1
         return 0
 
-    def run(self, rows: Rows, lanes: int, lasting: int = 1) -> tuple[int, int] | None:
+    def run(self, rows: Iterable[list[int]], lanes: int, lasting: int = 1) -> tuple[int, int] | None:
         """Run timelines side by side until one shows a difference for so long; give the scan and the timeline."""
         every = alive = (1 << lanes) - 1
         recent: list[int] = []

@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from plcteach.machine.scan import Trace
 
 Row = dict[str, int]
-MOST_SCANS = 20_000
+MOST_SCANS = 70_000
 _STEP_MS, _LONGEST_MS = 10, 60_000
 
 

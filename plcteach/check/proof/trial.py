@@ -5,7 +5,8 @@
     induction        what always agrees, whatever the presets
     a long search    the same with the whole budget
     one by one       each output by itself, with only what matters for it
-    by chance        many timelines; finding nothing proves nothing
+    patience         inputs held until the longest timer is over; finding nothing proves nothing
+    by chance        many timelines; nor does it here
 
 Budgets count work and never seconds, so that a verdict is the same on every machine.
 """
@@ -15,7 +16,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
-from plcteach.check.proof.budget import Budget
+from plcteach.check.proof.budget import CHANCES, SHORT, Budget, Means
 from plcteach.check.proof.chance import Chance
 from plcteach.check.proof.induction import always_equal
 from plcteach.check.proof.replay import Replay, replay, rows_of
@@ -39,17 +40,17 @@ if TYPE_CHECKING:
 MOST_INPUTS = 12
 LASTING = 5
 """A difference that is over sooner may be no more than rungs in another order."""
-SHORT, LONG, CHANCES, INDUCTIONS = 1_000_000, 6_000_000, 2_000_000, 3_000_000
-"""Work for a short search, for all long ones together, for trying by chance, and for all inductions together."""
+MOST_CUT = 2_000
+"""A longer counterexample is not looked at again scan by scan for a pulse."""
 
 
 @dataclass
 class Trial:
     """Two programs on trial: the reference first.
 
-    restless: the program that never comes to rest.  purse, thought: what all searches, and all inductions, may still cost.
-    proved: outputs that induction has proved.  ghost: a difference was found that no time and no clock can bring about, so that
-    no search need be made again.
+    restless: the program that never comes to rest.  means: what may still be spent.  proved: outputs that induction has proved.
+    parting: scans after which an output differs; none where waiting long has found none.  ghost: a difference was found that no
+    time and no clock can bring about, so that no search need be made again.
     """
 
     programs: tuple[Program, Program]
@@ -57,9 +58,9 @@ class Trial:
     product: Product
     explored: int = 0
     restless: int = -1
-    purse: Budget = field(default_factory=lambda: Budget(LONG))
-    thought: Budget = field(default_factory=lambda: Budget(INDUCTIONS))
+    means: Means = field(default_factory=Means)
     proved: frozenset[str] | None = None
+    parting: list[Scan] | None = None
     ghost: bool = False
 
     def decided(self, *, settled: bool, alone: bool = False) -> Verdict:
@@ -68,9 +69,7 @@ class Trial:
         calm = self.product.calm()
         if verdict.status == "equal" or calm is self.product:
             return verdict
-        again = Trial(self.programs, self.terms, calm, purse=self.purse, thought=self.thought).attempted(
-            settled=settled, alone=alone
-        )
+        again = self.of(calm).attempted(settled=settled, alone=alone)
         return again if again.status in {"different", "unsettled"} else self.unknown()
 
     def attempted(self, *, settled: bool, alone: bool) -> Verdict:
@@ -78,21 +77,27 @@ class Trial:
         verdict = self.by_table() if not self.product.state else None
         searched = len(self.product.inputs) <= MOST_INPUTS
         if verdict is None and searched and not self.ghost:
-            verdict = self.searched(min(SHORT, self.purse.units), settled=settled, alone=alone)
+            verdict = self.searched(min(SHORT, self.means.searches.units), settled=settled, alone=alone)
         if verdict is None and not self.ghost:
             verdict = self.proven()
         if verdict is None and searched and not self.ghost:
-            verdict = self.searched(self.purse.units, settled=settled, alone=alone)
+            verdict = self.searched(self.means.searches.units, settled=settled, alone=alone)
         if verdict is None and len(self.product.outputs) > 1 and not self.ghost:
             verdict = self.one_by_one(settled=settled)
+        if verdict is None and not self.ghost:
+            verdict = self.waited(settled=settled, alone=alone)
         if verdict is None and not alone:
             verdict = self.by_chance(lasting=LASTING if settled else 1)
         return verdict or self.unknown()
 
+    def of(self, product: Product) -> Trial:
+        """Try another question about the same programs, with the means that are left."""
+        return Trial(self.programs, self.terms, product, means=self.means)
+
     def proven(self) -> Verdict | None:
         """Give the verdict of induction, which is asked once; None where it leaves an output open."""
         if self.proved is None:
-            self.proved = always_equal(self.product, self.thought)
+            self.proved = always_equal(self.product, self.means.inductions)
         return self.equal("induction") if len(self.proved) == len(self.product.outputs) else None
 
     def by_table(self) -> Verdict | None:
@@ -119,7 +124,7 @@ class Trial:
         budget = Budget(units)
         walker = Walker(self.product, budget, settled=settled, pulses=self.terms.level == "either")
         found = breadth_first(walker, budget)
-        self.purse.spend(units - max(budget.units, 0))
+        self.means.searches.spend(units - max(budget.units, 0))
         self.explored = max(self.explored, found.states)
         if found.status == "equal":
             return self.equal("exhaustive")
@@ -128,11 +133,27 @@ class Trial:
         if found.status == "unsettled":
             self.restless = found.restless
             return Verdict("unsettled", None, None, self.said("unsettled"), explored=self.explored)
+        if not settled:
+            self.parting = list(walker.scans(found.cases))
         if alone:
             return Verdict("different", None, None, self.said("different"), explored=self.explored)
         shown = self.different(walker, found)
         self.ghost = shown is None
         return shown
+
+    def waited(self, *, settled: bool, alone: bool) -> Verdict | None:
+        """Hold the inputs for long; None where nothing differs. At rest: with as much rest after each scan as it takes."""
+        if self.parting is None:
+            trying = Chance(self.product, self.means.waiting)
+            self.parting = trying.patient() or []
+            self.explored = max(self.explored, trying.scans)
+        if not self.parting:
+            return None
+        if not settled:
+            return Verdict("different", None, None, self.said("different")) if alone else self.shown(self.parting)
+        walker = Walker(self.product, self.means.waiting, settled=True)
+        cases = [sum(scan[name] << place for place, name in enumerate(walker.inputs)) for scan in self.parting]
+        return self.shown(list(walker.scans(cases)), settled=True)
 
     def different(self, walker: Walker, found: Found) -> Verdict | None:
         """Show a difference, with as few presses as can be found; None where the plain machine does not show it."""
@@ -152,7 +173,7 @@ class Trial:
             return None
         seen = replay(self.programs, rows, self.product.outputs, self.terms)
         said: tuple[Diagnostic, ...] = ()
-        for cut in range(1, MOST_SETTLING_SCANS + 2) if settled and seen is None else ():
+        for cut in range(1, MOST_SETTLING_SCANS + 2) if settled and seen is None and len(rows) < MOST_CUT else ():
             seen = replay(self.programs, rows[:-cut], self.product.outputs, self.terms)
             if seen is not None:
                 said = (rule("CHK005").at(Span(0), address=seen.example.address),)
@@ -174,7 +195,7 @@ class Trial:
             return self.equal("table")
         if text in (self.proved or ()):
             return self.equal("induction")
-        alone = Trial(self.programs, self.terms, self.product.of([text]), purse=self.purse, thought=self.thought)
+        alone = self.of(self.product.of([text]))
         verdict = alone.decided(settled=settled, alone=True)
         self.explored = max(self.explored, alone.explored)
         return verdict
@@ -188,9 +209,7 @@ class Trial:
             return self.equal("induction" if "induction" in proofs else "exhaustive")
         for text, one in verdicts.items():
             if one.status == "different":
-                alone = Trial(
-                    self.programs, self.terms, self.product.of([text]), purse=self.purse, thought=self.thought
-                )
+                alone = self.of(self.product.of([text]))
                 shown = one if one.counterexample else alone.decided(settled=settled)
                 if shown.counterexample:
                     return replace(shown, outputs=said | {text: "different"}, explored=self.explored)

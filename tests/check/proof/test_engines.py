@@ -12,6 +12,7 @@ from hypothesis import strategies as st
 from plcteach.check import same
 from plcteach.check.proof import circuit, product, trial, walk
 from plcteach.check.proof.budget import Budget
+from plcteach.check.proof.chance import Chance
 from plcteach.check.proof.induction import always_equal
 from plcteach.check.proof.search import breadth_first, fewest
 from plcteach.check.proof.table import TooLarge, model_of, patterns, simplest
@@ -196,6 +197,8 @@ def test_the_ways_of_proving_never_contradict_each_other(one: str, other: str) -
         assert found.status == "equal"
     easiest = fewest(Walker(asked, Budget(3_000_000)), Budget(3_000_000))
     assert (easiest is None) == (found.status == "equal")
+    if Chance(asked, Budget(500_000)).patient() is not None:
+        assert found.status == "different"
     if easiest is not None:
         assert pressed(walker, easiest) <= pressed(walker, found.cases)
 

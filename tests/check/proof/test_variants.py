@@ -146,6 +146,36 @@ def test_presets_of_any_size_are_proved_by_induction() -> None:
     assert (verdict.status, verdict.proof) == ("equal", "induction")
 
 
+@pytest.mark.parametrize("level", ["either", "exact", "settled"])
+@pytest.mark.parametrize(
+    ("why", "text", "seconds"),
+    [
+        (
+            "ten minutes after one press",
+            "LD I0.0; O Q0.0; AN I0.1; = Q0.0; LD Q0.0; TON T37, {}; LD T37; = Q0.1",
+            599.9,
+        ),
+        ("ten minutes after it is let go", "LD I0.0; TOF T37, {}; LD T37; = Q0.0", 599.9),
+        ("one delay behind the other", "LD I0.0; TON T37, {}; LD T37; TON T38, 600; LD T38; = Q0.0", 659.9),
+    ],
+)
+def test_one_tick_in_ten_minutes_is_found(why: str, text: str, seconds: float, level: str) -> None:
+    wanted, got = programs("s7-200", text.format(6000), text.format(5999))
+    verdict = compare(wanted, got, terms=Terms(level=level))
+    assert verdict.status == "different", why
+    example = verdict.counterexample
+    assert example is not None
+    assert sum(scan.get("ms", 0) for scan in example.inputs) == pytest.approx(seconds * 1000, abs=300)
+    assert presses(example.inputs) <= 2
+
+
+def test_one_count_in_thousands_is_found() -> None:
+    text = "LD I0.0; LD I0.1; CTU C0, {}; LD C0; = Q0.0"
+    verdict = compare(*programs("s7-200", text.format(6000), text.format(5999)))
+    assert verdict.counterexample is not None
+    assert presses(verdict.counterexample.inputs) >= 5999
+
+
 # The terms of an exercise.
 
 
