@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from plcteach.check.lint import lint
 from plcteach.check.same import compare, outputs_of
+from plcteach.check.tried import runaway
 from plcteach.core.diagnostic import errors
 from plcteach.core.errors import PlcTeachError
 from plcteach.core.exercise import Terms
@@ -24,12 +25,17 @@ _USUAL = Terms()
 
 
 def verdict_on(wanted: Program, program: Program, terms: Terms = _USUAL) -> Verdict:
-    """Compare a submission with the reference; with an error in its text or its stack there is nothing to compare."""
-    found = lint(program)
+    """Compare a submission with the reference; with an error in its text or its stack there is nothing to compare.
+
+    Nor is there where a scan never ends.
+    """
+    found = tuple(lint(program))
+    if not errors(found):
+        found += runaway(program)
     if errors(found) or not program.lines:
         return Verdict("error", diagnostics=found)
     verdict = compare(wanted, program, terms=terms)
-    return replace(verdict, diagnostics=tuple(found) + verdict.diagnostics)
+    return replace(verdict, diagnostics=found + verdict.diagnostics)
 
 
 @lru_cache(maxsize=256)
@@ -40,7 +46,7 @@ def reference(text: str, dialect: str | Dialect) -> Program:
         one = errors(program.diagnostics)[0]
         msg = f"reference, row {one.span.row}, column {one.span.start + 1}: {one.text.in_(language())}"
         raise PlcTeachError(msg)
-    wrong = errors(lint(program))
+    wrong = errors(lint(program)) or errors(runaway(program))
     if wrong:
         msg = f"the reference has an error itself: {wrong[0]}"
         raise PlcTeachError(msg)

@@ -13,6 +13,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 from plcteach.check.proof.product import product
+from plcteach.check.proof.terms import spelled_out
 from plcteach.check.proof.trial import LASTING, Trial
 from plcteach.check.tried import tried
 from plcteach.core.diagnostic import Diagnostic, refuse, rule
@@ -55,7 +56,9 @@ def compare(
     Each may be a program, or the text of a list or a drawing in the family `dialect`, and then PlcTeachError says what is wrong
     with it. DeclarationError or UnknownNameError where the terms do not read.
     """
-    pair = _Pair(_sound(reference, dialect), _sound(student, dialect), terms)
+    wanted = _sound(reference, dialect)
+    terms = spelled_out(terms, wanted.dialect)
+    pair = _Pair(wanted, _sound(student, dialect), terms)
     mine, theirs = _kernel(pair.reference), _kernel(pair.student)
     key = (mine, theirs, _spelled(terms))
     verdict = _known.get(key)
@@ -85,7 +88,9 @@ def _sound(text: Program | str, dialect: str | Dialect | None) -> Program:
 
 def _kernel(program: Program) -> Hashable:
     """Give what a program does, without comments, titles and layout."""
-    lines = tuple(tuple((line.text, line.effect.text) for line in one.lines) for one in program.networks if one.lines)
+    lines = tuple(
+        (one.block, tuple((line.text, line.effect.text) for line in one.lines)) for one in program.networks if one.lines
+    )
     return (
         program.dialect.name,
         lines,
@@ -115,7 +120,12 @@ class _Pair:
     @cached_property
     def outputs(self) -> tuple[str, ...]:
         """The outputs compared: those asked for, or those that the reference writes."""
-        return (*(self.terms.outputs or _outputs(self.reference, self.mine)), *self.terms.never)
+        return (*(self.driven or _outputs(self.reference, self.mine)), *self.terms.never)
+
+    @cached_property
+    def driven(self) -> tuple[str, ...]:
+        """The outputs asked for, or those of the machine that the reference drives; none where it drives none of them."""
+        return self.terms.outputs or _driven(self.reference, self.mine)
 
     def alike(self) -> Verdict:
         """Give the verdict where the student's program is the reference, line by line."""
@@ -126,12 +136,14 @@ class _Pair:
         if max(len(self.reference.lines), len(self.student.lines)) > MOST_INSTRUCTIONS:
             return Verdict("unknown", outputs=dict.fromkeys(self.outputs, "unknown"))
         try:
-            asked = product(self.reference, self.student, self.terms)
+            asked = product(self.reference, self.student, replace(self.terms, outputs=self.driven))
         except Unprovable:
             return self.tried()
         trial = Trial((self.reference, self.student), self.terms, asked)
         if not asked.state:
-            return trial.decided(settled=False)
+            verdict = trial.decided(settled=False)
+            if verdict.status != "different" or self.terms.level == "exact" or not trial.fleeting():
+                return verdict
         return _in_time(trial, self.terms)
 
     def tried(self) -> Verdict:
@@ -178,9 +190,15 @@ def outputs_of(program: Program) -> tuple[str, ...]:
 
 
 def _outputs(program: Program, written: Places) -> tuple[str, ...]:
-    places = sorted(written, key=lambda place: (place.area, place.index, place.text))
-    outputs = tuple(one.text for one in places if program.dialect.area(one).role == "output")
-    return outputs or tuple(one.text for one in places if one.size == 1)
+    return _driven(program, written) or tuple(one.text for one in sorted(written, key=_order) if one.size == 1)
+
+
+def _driven(program: Program, written: Places) -> tuple[str, ...]:
+    return tuple(one.text for one in sorted(written, key=_order) if program.dialect.area(one).role == "output")
+
+
+def _order(place: Address) -> tuple[str, int, str]:
+    return place.area, place.index, place.text
 
 
 def _written(program: Program) -> Places:

@@ -6,21 +6,26 @@ verdict then says so.
 
 from __future__ import annotations
 
+from itertools import chain, repeat
 from random import Random
 from typing import TYPE_CHECKING, Any
 
 from plcteach.check.proof.replay import holds, replay
 from plcteach.check.proof.terms import condition
+from plcteach.core.diagnostic import errors
 from plcteach.core.verdict import Status, Verdict
 from plcteach.machine.plan import plan_of
-from plcteach.machine.scan import run
+from plcteach.machine.scan import run, sweep
 from plcteach.machine.signals import ONE, ZERO
+from plcteach.machine.store import Memory
+from plcteach.machine.words import BITS
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Iterable, Iterator
 
+    from plcteach.core.diagnostic import Diagnostic
     from plcteach.core.exercise import Terms
-    from plcteach.core.program import Program
+    from plcteach.core.program import Line, Program
     from plcteach.machine.scan import Trace
 
 TIMELINES, SCANS = 16, 120
@@ -39,32 +44,51 @@ def tried(programs: tuple[Program, Program], outputs: tuple[str, ...], terms: Te
     lasting: for so many scans in a row; more than 1 passes over what only comes a scan or two later.
     """
     nothing: dict[str, Status] = dict.fromkeys(outputs, "unknown")
-    if any(_runs_away(one) for one in programs):
+    if any(errors(runaway(one)) for one in programs):
         return Verdict("unknown", outputs=nothing, explored=1)
-    lines = sum(len(one.lines) + 1 for one in programs)
+    lines = sum(max(len(one.lines), _executed(one)) + 1 for one in programs)
     scans = max(FEWEST_SCANS, min(SCANS, MOST_LINE_SCANS // (lines * FEWEST_TIMELINES)))
     count = max(FEWEST_TIMELINES, min(TIMELINES, MOST_LINE_SCANS // (lines * scans)))
     inputs = tuple(dict.fromkeys(place.text for one in programs for place in one.addresses("input")))
-    for number in range(count):
-        rows = [{**row, "ms": SCAN_MS} for row in _timeline(number, scans, inputs, (programs[0], terms))]
+    allowed = programs[0], terms
+    by_chance = (_timeline(number, scans, inputs, allowed) for number in range(count))
+    explored = 0
+    few = (lines * lasting << len(inputs)) <= MOST_LINE_SCANS
+    for timeline in chain(_held(inputs, lasting, allowed) if few else (), by_chance):
+        rows = [{**row, "ms": SCAN_MS} for row in timeline]
         scan = _parting(programs, rows, outputs, terms, lasting)
         seen = None if scan is None else replay(programs, rows[: scan + 1], outputs, terms)
         if seen:
             said: dict[str, Status] = {text: "different" if text in seen.wrong else "unknown" for text in outputs}
-            return Verdict("different", None, seen.example, said, explored=number * scans + len(seen.example.inputs))
-    return Verdict("unknown", outputs=nothing, explored=count * scans)
+            return Verdict("different", None, seen.example, said, explored=explored + len(seen.example.inputs))
+        explored += len(rows)
+    return Verdict("unknown", outputs=nothing, explored=explored)
+
+
+def _executed(program: Program) -> int:
+    """Count the lines that the first scan executes; loops and calls make them more than are written."""
+    if plan_of(program).straight and not _calls(program):
+        return 0
+    seen: list[Line] = []
+    sweep(program, Memory(), {}, BITS, lambda one: seen.append(one.line))
+    return len(seen)
+
+
+def _calls(program: Program) -> bool:
+    return any("call" in line.insn.does for line in program.lines)
 
 
 def _parting(
     programs: tuple[Program, Program], rows: list[Row], outputs: tuple[str, ...], terms: Terms, lasting: int
 ) -> int | None:
-    """Give the first scan after which the two have differed for so long; None where they do not."""
+    """Give the scan from which on the two differ for so long; None where they never do."""
     traces = tuple(run(one, rows) for one in programs)
     held = 0
     for scan in range(len(rows)):
+        held = held if lasting == 1 or rows[scan].keys() <= {"ms"} else 0
         held = held + 1 if any(_differs(traces, text, scan, terms) for text in outputs) else 0
         if held >= lasting:
-            return scan
+            return scan + 1 - lasting
     return None
 
 
@@ -79,9 +103,19 @@ def _differs(traces: tuple[Trace, ...], text: str, scan: int, terms: Terms) -> b
     return got == "x" or got != repr(mine.value(text, scan))
 
 
-def _runs_away(program: Program) -> bool:
-    """Say whether a program that can go back does not come to the end of its first scan."""
-    return not plan_of(program).straight and any(one.code in {"RUN002", "RUN003"} for one in run(program).diagnostics)
+def runaway(program: Program) -> tuple[Diagnostic, ...]:
+    """Say where a program that goes back or calls does so for ever in its first scan, or too deep."""
+    if plan_of(program).straight and not _calls(program):
+        return ()
+    return tuple(one for one in run(program).diagnostics if one.code in {"RUN002", "RUN003"})
+
+
+def _held(inputs: tuple[str, ...], scans: int, allowed: tuple[Program, Terms]) -> Iterator[Iterable[Row]]:
+    """Give for each combination of inputs a timeline that holds it from power-on, those with few inputs on first."""
+    for case in sorted(range(1 << len(inputs)), key=int.bit_count):
+        row = {name: case >> bit & 1 for bit, name in enumerate(inputs)}
+        if _may(*allowed, row) and not (allowed[1].single_change and case.bit_count() > 1):
+            yield chain((row,), repeat({}, scans - 1))
 
 
 def _timeline(number: int, scans: int, inputs: tuple[str, ...], allowed: tuple[Program, Terms]) -> Iterator[Row]:

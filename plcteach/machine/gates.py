@@ -96,7 +96,11 @@ class Blurred:
     def __invert__(self) -> Bit:
         return Blurred(~(self.surely | self.unknown), self.unknown)
 
-    edge = Gate.edge
+    def edge(self, previous: Any, *, rising: bool) -> Any:
+        """Give the edge since `previous`, no edge the first time."""
+        if previous is None:
+            return self.surely.graph.zero
+        return self & ~previous if rising else ~self & previous
 
 
 Bit = Gate | Blurred

@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING
 import pytest
 
 from plcteach.check import same
+from plcteach.check.against import reference, verdict_on
+from plcteach.core.errors import PlcTeachError
 from plcteach.core.exercise import Terms
 from plcteach.machine import run
 from plcteach.stl import read
@@ -66,3 +68,30 @@ def test_a_word_that_nothing_writes_is_no_free_input_and_stays_zero() -> None:
     assert compare(reference, read("LD X0; OR= D0 K5; OUT Y0", "fx")).status == "equal"
     wrong = compare(reference, read("LD= D0 K5; AND X0; OUT Y0", "fx"))
     assert wrong.status == "different"
+
+
+@pytest.mark.parametrize(
+    ("dialect", "task", "answer", "row"),
+    [
+        ("s7-200", "LD I0.0; = Q0.0", "LBL 1; LD SM0.0; JMP 1", 3),
+        ("s7-200", "LD I0.0; = Q0.0", "LD I0.0; = Q0.0; LBL 1; LD SM0.0; JMP 1", 5),
+        ("neza", "LD %I0.0; ST %Q0.0", "LD %I0.0; ST %Q0.0; %L1:; JMP %L1", 4),
+    ],
+)
+def test_a_scan_that_never_ends_is_an_error_in_its_row(dialect: str, task: str, answer: str, row: int) -> None:
+    verdict = verdict_on(read(task, dialect), read(answer.replace("; ", "\n"), dialect))
+    assert verdict.status == "error"
+    assert [(one.code, one.span.row) for one in verdict.diagnostics if one.severity == "error"] == [("RUN002", row)]
+    with pytest.raises(PlcTeachError, match="20000 lines"):
+        reference(answer.replace("; ", "\n"), dialect)
+
+
+def test_a_routine_that_calls_itself_is_told_and_a_combination_of_inputs_shows_what_is_wrong() -> None:
+    calls = "LD SM0.0\nCALL SBR0\nSUBROUTINE_BLOCK SBR_0:SBR0\nLD SM0.0\nCALL SBR0\nEND_SUBROUTINE_BLOCK"
+    verdict = verdict_on(read("LD I0.0\nAN I0.1\n= Q0.0", "s7-200"), read(calls, "s7-200"))
+    assert verdict.status == "different"
+    assert "RUN003" in {one.code for one in verdict.diagnostics}
+    assert verdict.counterexample is not None
+    assert [{key: scan[key] for key in ("I0.0", "I0.1")} for scan in verdict.counterexample.inputs] == [
+        {"I0.0": 1, "I0.1": 0}
+    ]

@@ -4,8 +4,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-SHORT, LONG, WAITING, CHANCES, INDUCTIONS = 1_000_000, 6_000_000, 6_000_000, 2_000_000, 3_000_000
-"""Work for a short search, for all long ones together, for holding inputs for long, for one trial by chance, for all inductions."""
+SHORT, LONG, INDUCTIONS = 1_000_000, 14_000_000, 3_000_000
+"""Work for a short search, for all long ones together, and for all inductions together."""
+
+WAITING, CHANCES = 6_000_000, 2_000_000
+"""Work for holding inputs for long, and for one trial by chance."""
 
 
 class Budget:

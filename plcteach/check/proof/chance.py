@@ -11,6 +11,7 @@ from itertools import islice
 from random import Random
 from typing import TYPE_CHECKING
 
+from plcteach.check.proof.replay import free_bits
 from plcteach.machine.world import beat
 
 if TYPE_CHECKING:
@@ -23,8 +24,9 @@ if TYPE_CHECKING:
 
 LANES, SCANS = 256, 400
 MOST_ROUNDS = 60
-PAIRS, PATIENT_SCANS, AT_FIRST = 256, 33_000, 3
-"""So many pairs of combinations are held, for so many scans (the longest preset and a few); the first one only at first."""
+PAIRS, PATIENT_SCANS, FREE_SCANS, AT_FIRST = 256, 33_000, 2_000, 3
+"""So many pairs of combinations are held, for so many scans (the longest preset and a few; fewer where bits of memory are written
+from outside, which is slow to replay); the first one only at first."""
 CLOCK_MS = 100
 """So much time passes in a scan where there is no timer, and only clocks tell of it."""
 _SEED = 20030907
@@ -95,7 +97,7 @@ class Chance:
             [sum((pair[which] >> bit & 1) << lane for lane, pair in enumerate(pairs)) for bit in range(len(buttons))]
             for which in (0, 1)
         )
-        for scan in range(PATIENT_SCANS):
+        for scan in range(FREE_SCANS if free_bits(self.product) else PATIENT_SCANS):
             row = [every * self.moved(name, scan, scan * self.tick_ms) for name in self.names]
             for place, a, b in zip(buttons, one, two, strict=True):
                 row[place] = (a if scan < AT_FIRST else b) | (b if scan & 1 else a) << count
@@ -133,17 +135,19 @@ class Chance:
         return 0
 
     def run(self, rows: Iterable[list[int]], lanes: int, lasting: int = 1) -> tuple[int, int] | None:
-        """Run timelines side by side until one shows a difference for so long; give the scan and the timeline."""
+        """Run timelines side by side until one shows a difference for so long, its inputs held; give the scan and the timeline."""
         every = alive = (1 << lanes) - 1
         recent: list[int] = []
         state: Sequence[int] = ()
+        last: list[int] = []
         for number, scan in enumerate(rows):
             call = self.later if number else self.first
             *state, bad, fair = call.call([*state, *scan], every)
             self.budget.spend(call.cost * (1 + (lanes >> 9)))
             self.scans = max(self.scans, number + 1)
             alive &= fair
-            recent = [*recent[1 - lasting :], bad] if lasting > 1 else [bad]
+            recent = [*(one & ~self.moving(scan, last) for one in recent[1 - lasting :]), bad] if lasting > 1 else [bad]
+            last = scan
             shown = alive
             for one in recent:
                 shown &= one
@@ -152,6 +156,13 @@ class Chance:
             if not alive or self.budget.spent:
                 return None
         return None
+
+    def moving(self, scan: list[int], last: list[int]) -> int:
+        """Give the timelines in which an input that can be pressed has changed: a difference that lasts begins anew there."""
+        moved = 0
+        for now, before, drifts in zip(scan, last, self.drift, strict=False):
+            moved |= 0 if drifts else now ^ before
+        return moved
 
     def lessened(self, rows: Rows, lasting: int) -> Rows:
         """Take back presses one by one, as long as a difference remains, and cut off what comes after it."""

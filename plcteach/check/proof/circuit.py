@@ -14,14 +14,15 @@ from plcteach.check.proof.bounds import Bound, bounds, natural
 from plcteach.core.area import Address
 from plcteach.machine.course import Course, Mixed
 from plcteach.machine.gates import Bit, Blurred, Gate, Graph, Unprovable
-from plcteach.machine.store import Memory, Store
+from plcteach.machine.store import PIN, SEEN, Memory, Store
 from plcteach.machine.words import Vector, constant
 from plcteach.machine.world import Plant
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping
 
-    from plcteach.core.program import Program
+    from plcteach.core.area import Kind
+    from plcteach.core.program import Arg, Program
     from plcteach.machine.step import Step
 
 Key = tuple[Any, ...]
@@ -35,14 +36,13 @@ MOST_NUMBER_BITS = 800
 
 
 def bases(program: Program) -> set[int]:
-    """Give the time bases, in ms, of all timers that a program drives."""
+    """Give the time bases, in ms, of all timers that a program names."""
     store: Store[Any] = Store(program, Memory(), None)  # type: ignore[arg-type]
     found = set()
-    for line in program.lines:
-        for _, target in line.targets:
-            block = program.dialect.block(target)
-            if block and block.rule == "timer":
-                found.add(store.base(program.dialect.whole(target)))
+    for place in (place for line in program.lines for place in line.places):
+        block = program.dialect.block(place)
+        if block and block.rule == "timer":
+            found.add(store.base(program.dialect.whole(place)))
     return found
 
 
@@ -92,6 +92,13 @@ class _Gated(_Scaled, Plant[Any]):
             here = here & self.graph.variable(("here", self.side, first, stop))
         self.pending = self.pending & ~here
         return Vector((here, self.graph.zero), self.graph.zero)
+
+    def word(self, arg: Arg, kind: Kind | None = None) -> Any:
+        """Give a number; Unprovable where one of its bits may be x, for then nobody knows the whole of it."""
+        found = super().word(arg, kind)
+        if isinstance(found, Vector) and any(isinstance(one, Blurred) for one in found.signs):
+            raise Unprovable
+        return found
 
     def keep(self, one: Step[Any], run: Any = None) -> None:
         """Take over what a step wrote; a number that has grown wider than it can ever be loses the bits that are always 0."""
@@ -158,7 +165,10 @@ class Circuit:
     writes: set[str] = field(default_factory=set)
 
     def value(self, memory: Memory[Any], address: Address) -> Any:
-        """Give what an address holds in a memory: a bit, or a number."""
+        """Give what an address holds in a memory: a bit, or a number; Unprovable for a timer's, which is counted in units."""
+        block = self.program.dialect.block(address)
+        if block and block.rule == "timer" and address.size > 1:
+            raise Unprovable
         return Store(self.program, memory, self.graph.domain).value(address)
 
 
@@ -176,6 +186,7 @@ class _Builder:
         self.taken |= {address for address, what in program.dialect.specials.items() if what != "turns"}
         self.known: dict[Key, Bit] = {}
         self.start: dict[Key, Bit] = {}
+        self.late: set[Key] = set()
 
     def scan(self, memory: Memory[Any]) -> tuple[dict[Key, Bit], Memory[Any]]:
         """Run one scan and give what it leaves."""
@@ -253,6 +264,7 @@ class _Builder:
         self.known = {key: self.guess(key, value) for key, value in self.start.items()}
         for _ in range(MOST_ROUNDS):
             after, later = self.scan(self.memory(self.known))
+            self.seen(after)
             if set(self.known) - set(after):
                 raise Unprovable
             if not self.learned(after):
@@ -260,6 +272,14 @@ class _Builder:
                 start, then = {key: self.start[key] for key in moving}, {key: after[key] for key in moving}
                 return Circuit(self.graph, self.program, first, later, start, then, self.reads, self.writes)
         raise Unprovable
+
+    def seen(self, after: dict[Key, Bit]) -> None:
+        """Let what an edge saw last count only from the scan on in which its line was first executed, where that is a later one."""
+        for key in after:
+            if key not in self.known and key not in self.late and (mark := _mark(key)) is not None:
+                self.late.add(mark)
+        for mark in self.late:
+            after.setdefault(mark, self.graph.one)
 
     def guess(self, key: Key, value: Bit) -> Bit:
         """Take a remembered bit for a constant where it is one after the first scan."""
@@ -295,6 +315,15 @@ class _Builder:
         value = constant(store.initial(key[1]), self.graph.zero)
         bit: Bit = value.at(key[2])
         return bit
+
+
+def _mark(key: Key) -> Key | None:
+    """Give the key that says whether an edge has seen anything yet, for the key of what it saw last."""
+    if key[0] == "past":
+        return ("past", ~key[1]) if key[1] >= 0 else None
+    if key[0] == "bit" and PIN in key[1] and not key[1].endswith(SEEN):
+        return ("bit", key[1] + SEEN)
+    return None
 
 
 def _fixed(value: Bit) -> bool:

@@ -81,6 +81,11 @@ class Product:
         """The variables among the inputs that nobody presses: ticks and clocks."""
         return frozenset(name for name in self.inputs if isinstance(name, tuple) and name[0] != "in")
 
+    @property
+    def clocks(self) -> list[str]:
+        """The clock bits among the inputs, which go by real time and cannot be made to wait."""
+        return [name[1] for name in self.inputs if isinstance(name, tuple) and name[0] == "clock"]
+
     def of(self, outputs: Iterable[str]) -> Product:
         """Give the same question about some of the outputs only, with what matters for those."""
         wanted = tuple(outputs)

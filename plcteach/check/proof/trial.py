@@ -20,6 +20,7 @@ from plcteach.check.proof.budget import CHANCES, SHORT, Budget, Means
 from plcteach.check.proof.chance import Chance
 from plcteach.check.proof.induction import always_equal
 from plcteach.check.proof.replay import Replay, replay, rows_of
+from plcteach.check.proof.rest import rested
 from plcteach.check.proof.search import Found, breadth_first, fewest
 from plcteach.check.proof.table import MOST_ROWS, TooLarge, model_of
 from plcteach.check.proof.walk import MOST_SETTLING_SCANS, Walker
@@ -30,7 +31,8 @@ from plcteach.core.verdict import Verdict
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from plcteach.check.proof.product import Product
+    from plcteach.check.proof.product import Product, Question
+    from plcteach.check.proof.table import Model
     from plcteach.check.proof.walk import Scan
     from plcteach.core.diagnostic import Diagnostic
     from plcteach.core.exercise import Terms
@@ -74,7 +76,7 @@ class Trial:
 
     def attempted(self, *, settled: bool, alone: bool) -> Verdict:
         """Try one way of proving after another."""
-        verdict = self.by_table() if not self.product.state else None
+        verdict = self.by_table(settled=settled) if not self.product.state else None
         searched = len(self.product.inputs) <= MOST_INPUTS
         if verdict is None and searched and not self.ghost:
             verdict = self.searched(min(SHORT, self.means.searches.units), settled=settled, alone=alone)
@@ -87,7 +89,7 @@ class Trial:
         if verdict is None and not self.ghost:
             verdict = self.waited(settled=settled, alone=alone)
         if verdict is None and not alone:
-            verdict = self.by_chance(lasting=LASTING if settled else 1)
+            verdict = self.by_chance(settled=settled)
         return verdict or self.unknown()
 
     def of(self, product: Product) -> Trial:
@@ -100,13 +102,14 @@ class Trial:
             self.proved = always_equal(self.product, self.means.inductions)
         return self.equal("induction") if len(self.proved) == len(self.product.outputs) else None
 
-    def by_table(self) -> Verdict | None:
-        """Decide a comparison in which nothing is remembered; None where it is too large for that."""
-        first, later = self.product.first, self.product.later
-        for scans, question in ((1, first), (2, later)):
-            wrong = self.product.graph.any(question.bad.values()) & question.fair
+    def by_table(self, *, settled: bool) -> Verdict | None:
+        """Decide a comparison in which nothing is remembered; None where it is too large for that.
+
+        At rest the first scan is passed over, and whether it gives a pulse is left to a search.
+        """
+        for scans, question in ((1, self.product.first), (2, self.product.later))[settled:]:
             try:
-                model = model_of(self.product.graph, wrong, rows=MOST_ROWS)
+                model = self.model(question)
             except TooLarge:
                 return None
             self.explored += 1
@@ -115,7 +118,19 @@ class Trial:
                 shown = self.shown([scan] * scans)
                 self.ghost = shown is None
                 return shown
-        return self.equal("table")
+        return None if settled else self.equal("table")
+
+    def model(self, question: Question) -> Model | None:
+        """Give inputs under which an output differs where nothing is remembered; TooLarge where nobody knows."""
+        wrong = self.product.graph.any(question.bad.values()) & question.fair
+        return model_of(self.product.graph, wrong, rows=MOST_ROWS)
+
+    def fleeting(self) -> bool:
+        """Say whether a difference where nothing is remembered is one of the first scan alone."""
+        try:
+            return self.model(self.product.later) is None
+        except TooLarge:
+            return False
 
     def searched(self, units: int, *, settled: bool, alone: bool) -> Verdict | None:
         """Search the states from power-on; None where the budget ends first."""
@@ -151,9 +166,8 @@ class Trial:
             return None
         if not settled:
             return Verdict("different", None, None, self.said("different")) if alone else self.shown(self.parting)
-        walker = Walker(self.product, self.means.waiting, settled=True)
-        cases = [sum(scan[name] << place for place, name in enumerate(walker.inputs)) for scan in self.parting]
-        return self.shown(list(walker.scans(cases)), settled=True)
+        scans = rested(self.product, self.parting)
+        return self.shown(scans) if scans else None
 
     def different(self, walker: Walker, found: Found) -> Verdict | None:
         """Show a difference, with as few presses as can be found; None where the plain machine does not show it."""
@@ -216,10 +230,12 @@ class Trial:
         self.proved = frozenset(text for text, one in said.items() if one == "equal")
         return None
 
-    def by_chance(self, *, lasting: int) -> Verdict | None:
-        """Try many timelines; None where nothing differs, or not for long enough."""
+    def by_chance(self, *, settled: bool) -> Verdict | None:
+        """Try many timelines; None where nothing differs, or not at rest as well."""
         trying = Chance(self.product, Budget(CHANCES))
-        scans = trying.found(lasting=lasting)
+        scans = trying.found(lasting=LASTING if settled else 1)
+        if scans and settled and not self.product.clocks:
+            scans = rested(self.product, scans)
         self.explored = max(self.explored, trying.scans)
         rows = rows_of(self.product, scans) if scans else None
         seen = replay(self.programs, rows, self.product.outputs, self.terms) if rows else None

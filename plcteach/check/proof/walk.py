@@ -24,6 +24,11 @@ MOST_SETTLING_SCANS = 32
 Scan = dict["Hashable", int]
 
 
+def of_time(name: Hashable) -> bool:
+    """Say whether an input is time passing, and nothing that is held."""
+    return name == TICK or (isinstance(name, tuple) and name[0] == "here")
+
+
 @dataclass(frozen=True, slots=True)
 class Outcome:
     """What a step from one state leads to. parts: sets of cases with the state that each leads to.
@@ -87,7 +92,7 @@ class Walker:
         self.later = graph.compiled(later, (*self.state, *self.inputs))
         self.every = (1 << (1 << len(self.inputs))) - 1
         self.rows = patterns(len(self.inputs))
-        self.timed = [name == TICK or (isinstance(name, tuple) and name[0] == "here") for name in self.inputs]
+        self.timed = list(map(of_time, self.inputs))
         self.sides = [int(isinstance(name, tuple) and name[0] == 1) for name in self.state]
         self.bad = False
         self.lasting = sum(1 << place for place, timed in enumerate(self.timed) if not timed)
