@@ -778,6 +778,21 @@ _ROWS = (
         misconceptions=(15,),
         lesson=2,
     ),
+    Rule(
+        "COI010",
+        "block-driven-twice",
+        "warning",
+        Text(
+            "{address}在第{row}行已经驱动过一次：同一个编号只有一个当前值和一个位，两行都在改它。能把两个条件合成一个，还是换一个编号？",
+            "{address} is already driven in row {row}: a number has one current value and one bit, and both lines work on them. Can both conditions share one line, or should each have a number of its own?",
+        ),
+        Text(
+            "同一个定时器或计数器写两次不是“或”：一行让它计，另一行又把它复位，或者两行数到一起。",
+            "Two lines for one timer or counter are no OR: one lets it run and the other clears it, or both count into the same value.",
+        ),
+        (20,),
+        lesson=4,
+    ),
     # TMR: timers by their numbers
     Rule(
         "TMR001",
@@ -812,12 +827,12 @@ _ROWS = (
         "timer-resets-itself",
         "warning",
         Text(
-            "{address}用自己的常闭触点复位自己，而它的位是{when}接通的：多半还没有别的指令看到它，它就又断开了。让一个中间位来复位它？",
-            "{address} resets itself by its own normally closed contact, but its bit comes on {when}: mostly it is off again before any other line has seen it. Should a bit of memory reset it?",
+            "{address}用自己取反的位复位自己，而它的位是{when}接通的：多半还没有别的指令看到它，它就又断开了。让一个中间位来复位它？",
+            "{address} resets itself by its own bit inverted, but this bit comes on {when}: mostly it is off again before any other line has seen it. Should a bit of memory reset it?",
         ),
         Text(
-            "只有100 ms定时器在执行到自己的指令时才刷新；1 ms和10 ms定时器要用一个中间位复位。",
-            "Only a 100 ms timer is brought up to date at its own instruction; 1 ms and 10 ms timers want a bit of memory between.",
+            "定时器要在执行到自己的指令时才刷新（S7-200只有100 ms的），才能用自己的位复位；1 ms和10 ms定时器要用一个中间位复位。",
+            "A timer can reset itself only where it is brought up to date at its own instruction, as 100 ms timers of the S7-200 are; 1 ms and 10 ms timers want a bit of memory between.",
         ),
         (22,),
         lesson=4,
@@ -2171,8 +2186,8 @@ _ROWS = (
         "file-not-text",
         "error",
         Text(
-            "这个文件不是文本，多半是软件自己的工程文件。能从那个软件里导出为文本吗？",
-            "This file is no text; most likely it is a project as the software keeps it. Can the program be exported from there as text?",
+            "这个文件不是纯文本的指令表，{what}。能把指令表本身导出或另存为文本文件（.txt、.awl）吗？",
+            "This file is no list in plain text; {what}. Can the list itself be exported or saved as a text file (.txt, .awl)?",
         ),
         Text(
             "plcteach读的是导出的文本：.awl、指令表、CSV。",

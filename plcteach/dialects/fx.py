@@ -224,6 +224,7 @@ FX = Dialect(
     samples=(
         Sample("COI001", "LD X0; OUT Y0; LD X1; OUT Y0", "LD X0; OR X1; OUT Y0"),
         Sample("COI009", "OUT Y0", "LD X0; OUT Y0"),
+        Sample("COI010", "LD X0; OUT T0 K10; LD X1; OUT T0 K20; LD T0; OUT Y0", "LD X0; OUT T0 K10; LD X1; OUT T1 K20; LD T0; OR T1; OUT Y0"),
         Sample("STY001", "LD X0; AND X3; LD X1; ORI X2; ORB; OUT Y0", "LD X0; AND X3; OR X1; ORI X2; OUT Y0"),
         Sample("STY002", "LD X0; MPS; OUT Y0; MRD; OUT Y1; MPP; OUT Y2", "LD X0; OUT Y0; OUT Y1; OUT Y2"),
         Sample("STK001", "LD X0; AND X1; ANB; OUT Y0", "LD X0; AND X1; OUT Y0"),

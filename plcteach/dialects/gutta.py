@@ -195,6 +195,7 @@ GUTTA = Dialect(
         Sample("COI002", "LD I0.0; P M0.0; = Q0.0; LD I0.1; = M0.0", "LD I0.0; P M0.1; = Q0.0; LD I0.1; = M0.0"),
         Sample("COI001", "LD I0.0; = Q0.0; LD I0.1; = Q0.0", "LD I0.0; O I0.1; = Q0.0"),
         Sample("COI009", "= Q0.0", "LD I0.0; = Q0.0"),
+        Sample("COI010", "LD I0.0; TON T37, 10; LD I0.1; TON T37, 20; LD T37; = Q0.0", "LD I0.0; TON T37, 10; LD I0.1; TON T38, 20; LD T37; O T38; = Q0.0"),
         Sample("STY001", "LD I0.0; O I0.3; LD I0.1; AN I0.2; ALD; = Q0.0", "LD I0.0; O I0.3; A I0.1; AN I0.2; = Q0.0"),
         Sample("STY002", "LD I0.0; LPS; = Q0.0; LPP; = Q0.1", "LD I0.0; = Q0.0; = Q0.1"),
         Sample("STK001", "LD I0.0; LPS; ALD; = Q0.0", "LD I0.0; LD I0.1; O I0.2; ALD; = Q0.0"),

@@ -262,6 +262,8 @@ NEZA = Dialect(
     samples=(
         Sample("COI001", "LD %I0.0; ST %Q0.0; LD %I0.1; ST %Q0.0", "LD %I0.0; OR %I0.1; ST %Q0.0"),
         Sample("COI009", "ST %Q0.0", "LD %I0.0; ST %Q0.0"),
+        Sample("COI010", "LD %I0.0; IN %TM0; LD %I0.1; IN %TM0; LD %TM0.Q; ST %Q0.0", "LD %I0.0; OR %I0.1; IN %TM0; LD %TM0.Q; ST %Q0.0"),
+        Sample("TMR003", "LDN %TM0.Q; IN %TM0; LD %TM0.Q; ST %Q0.0", "LDN %M0; IN %TM0; LD %TM0.Q; ST %M0; ST %Q0.0"),
         Sample("STY001", "LD %I0.0; AND( %I0.1; ANDN %I0.2; ); ST %Q0.0", "LD %I0.0; AND %I0.1; ANDN %I0.2; ST %Q0.0"),
         Sample("STY002", "LD %I0.0; MPS; ST %Q0.0; MPP; ST %Q0.1", "LD %I0.0; ST %Q0.0; ST %Q0.1"),
         Sample("STK007", "LD %I0.0; OR( %I0.1; ); ST %Q0.0", "LD %I0.0; OR %I0.1; ST %Q0.0"),

@@ -274,6 +274,7 @@ S7_200 = Dialect(
     samples=(
         Sample("COI001", "LD I0.0; = Q0.0; LD I0.1; = Q0.0", "LD I0.0; O I0.1; = Q0.0"),
         Sample("COI009", "= Q0.0", "LD I0.0; = Q0.0"),
+        Sample("COI010", "LD I0.0; TON T37, 10; LD I0.1; TON T37, 20; LD T37; = Q0.0", "LD I0.0; TON T37, 10; LD I0.1; TON T38, 20; LD T37; O T38; = Q0.0"),
         Sample("STY001", "LD I0.0; O I0.3; LD I0.1; AN I0.2; ALD; = Q0.0", "LD I0.0; O I0.3; A I0.1; AN I0.2; = Q0.0"),
         Sample("STY001", "LD I0.0; A I0.3; LD I0.1; O I0.2; OLD; = Q0.0", "LD I0.0; A I0.3; O I0.1; O I0.2; = Q0.0"),
         Sample("STY002", "LD I0.0; LPS; = Q0.0; LRD; = Q0.1; LPP; = Q0.2", "LD I0.0; = Q0.0; = Q0.1; = Q0.2"),

@@ -17,6 +17,7 @@ from plcteach.core.diagnostic import MOST_FINDINGS, RULES
 from plcteach.core.errors import DeclarationError, UnknownNameError
 from plcteach.dialects import dialect, families
 from plcteach.ladder.lower import lower
+from plcteach.machine import run
 from plcteach.stl import read
 from plcteach.stl.tokens import MOST_ROWS
 
@@ -187,6 +188,177 @@ def test_each_is_said_where_it_happens_and_as_the_family_minds_it(
     name: str, text: str, wanted: tuple[str, str, int]
 ) -> None:
     assert wanted in found(text, name)
+
+
+# A timer that resets itself: what reaches its input counts, not how the list spells it.
+
+
+def on(text: str, name: str, place: str, rows: list[dict[str, int]]) -> str:
+    """What a bit is in each scan, on the plain machine."""
+    return str(run(read(text.replace("/", "\n"), name), rows)[place])
+
+
+STARTED = [{"I0.0": 1, "ms": 10}] * 40
+LAMP = "/Network 9/LD {0}/= Q0.0"
+
+
+@pytest.mark.parametrize("name", ["s7-200", "s7-200-smart", "gutta"])
+@pytest.mark.parametrize("timer", ["T33", "T32"])
+@pytest.mark.parametrize(
+    "text",
+    [
+        "LDN {0}/TON {0}, 3",
+        "LD {0}/NOT/TON {0}, 3",
+        "LDN {0}/= Q0.1/TON {0}, 3",
+        "LD I0.0/AN {0}/LPS/A I0.1/= Q0.1/LPP/TON {0}, 3",
+        "LD I0.0/LPS/AN {0}/TON {0}, 3/LPP/= Q0.1",
+        "Network 1/LDN {0}/= M0.0/Network 2/LD M0.0/TON {0}, 3",
+        "Network 1/LDN {0}/= M0.0/Network 2/LDN M0.0/NOT/A I0.0/TON {0}, 3",
+    ],
+)
+def test_a_timer_that_resets_itself_before_its_instruction_is_found_however_it_is_spelled(
+    name: str, timer: str, text: str
+) -> None:
+    head = text if text.startswith("Network") else f"Network 1/{text}"
+    program = (head + LAMP).format(timer)
+    if timer == "T33":
+        assert on(program, name, "Q0.0", STARTED) == "0" * 40
+    assert [code for _, code, _ in found(program, name)] == ["TMR003"]
+    assert [code for _, code, _ in found(head.format(timer), name)] == ["TMR003"]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "LDN %TM0.Q/IN %TM0/LD %TM0.Q/ST %Q0.0",
+        "LD %TM0.Q/N/ST %M0/LD %M0/IN %TM0/LD %TM0.Q/ST %Q0.0",
+        "BLK %TM0/LDN %TM0.Q/IN/OUT_BLK/LD Q/ST %Q0.0/END_BLK",
+    ],
+)
+def test_so_it_is_where_every_timer_is_brought_up_to_date_at_the_start_of_the_scan(text: str) -> None:
+    program = f"%TM0: TYPE=TON TB=10ms P=3/{text}"
+    assert on(program, "neza", "%Q0.0", [{"ms": 10}] * 40) == "0" * 40
+    assert [code for _, code, _ in found(program, "neza")] == ["TMR003"]
+    assert found(program.replace("TYPE=TON", "TYPE=TP"), "neza") == []
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "place", "wanted"),
+    [
+        # a 100 ms timer is brought up to date at its own line
+        ("s7-200", "Network 1/LDN T37/= M0.0/Network 2/LD M0.0/TON T37, 1/Network 3/LD T37/= Q0.0", "Q0.0", 3),
+        ("fx", "LDI T0/OUT T0 K1/LD T0/OUT Y0", "Y0", 3),
+        # a bit of memory of the scan before, and one that takes the timer's bit above it
+        ("s7-200", "LDN M0.0/TON T33, 3/LD T33/= M0.0/= Q0.0", "Q0.0", 8),
+        ("s7-200", "Network 1/LD M0.0/TON T33, 3/Network 2/LDN T33/= M0.0/Network 3/LD T33/= Q0.0", "Q0.0", 8),
+        ("s7-200", "LD T33/= M0.0/= Q0.0/LDN M0.0/TON T33, 3", "Q0.0", 10),
+        ("s7-200", "LD T33/= Q0.0/LDN T33/TON T33, 3", "Q0.0", 10),
+        ("neza", "%TM0: TYPE=TON TB=10ms P=3/LD %TM0.Q/ST %Q0.0/LDN %TM0.Q/IN %TM0", "%Q0.0", 10),
+    ],
+)  # fmt: skip
+def test_a_timer_that_others_see_may_reset_itself(name: str, text: str, place: str, wanted: int) -> None:
+    """It pulses: every 4 scans where it stops in the scan that sees it, every 5 where it stops in the next."""
+    assert on(text, name, place, [{"ms": 10}] * 40).count("1") == wanted
+    assert found(text, name) == []
+
+
+def test_a_bit_that_holds_itself_remembers_what_the_timer_said() -> None:
+    """A pulse of 30 ms: the timer switches off the bit that keeps it running, and nobody needs to see it."""
+    for text in ("LD I0.0/O Q0.0/AN T33/= Q0.0/TON T33, 3", "LD I0.0/O Q0.0/AN T33/TON T33, 3/= Q0.0"):
+        assert on(text, "s7-200", "Q0.0", [{"I0.0": int(scan == 1), "ms": 10} for scan in range(10)]) == "0111000000"
+        assert found(text, "s7-200") == []
+        waits = f"{text}/LD T33/S Q0.1, 1"
+        assert "1" not in on(waits, "s7-200", "Q0.1", [{"I0.0": int(scan == 1), "ms": 10} for scan in range(10)])
+        assert [code for _, code, _ in found(waits, "s7-200")] == ["TMR003"]
+
+
+# Driven twice.
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "start", "lamp"),
+    [
+        ("s7-200", "LD I0.0/= Q0.0/LD Q0.0/= Q0.1/LD I0.1/= Q0.0", "I0.0", "Q0.0"),
+        ("gutta", "LD I0.0/= Q0.0/LD Q0.0/= Q0.1/LD I0.1/= Q0.0", "I0.0", "Q0.0"),
+        ("fx", "LD X0/OUT Y0/AND Y0/OUT Y1/LD X1/OUT Y0", "X0", "Y0"),
+        ("neza", "LD %I0.0/ST %Q0.0/LD %Q0.0/ST %Q0.1/LD %I0.1/ST %Q0.0", "%I0.0", "%Q0.0"),
+        ("s7-200", "Network 1/LD I0.0/= Q0.0/Network 2/LD I0.1/=I Q0.0", "I0.0", "Q0.0"),
+        ("s7-200", "Network 1/LD I0.0/=I Q0.0/Network 2/LD I0.1/= Q0.0", "I0.0", "Q0.0"),
+    ],
+)
+def test_a_second_coil_is_a_bistable_only_where_its_own_condition_reads_the_bit(
+    name: str, text: str, start: str, lamp: str
+) -> None:
+    assert on(text, name, lamp, [{start: 1}] * 3) == "000"
+    assert [code for _, code, _ in found(text, name)] == ["COI001"]
+
+
+def test_a_coil_read_before_the_first_is_no_bistable_and_one_read_after_it_is() -> None:
+    assert "COI001" in {code for _, code, _ in found("LD Q0.0/LPS/A I0.0/= Q0.0/LPP/A I0.1/= Q0.0", "s7-200")}
+    latch = "LD I0.0/= Q0.0/LD Q0.0/A I0.2/O I0.1/= Q0.0"
+    assert on(latch, "s7-200", "Q0.0", [{"I0.0": 1, "I0.2": 1}] * 3) == "111"
+    assert found(latch, "s7-200") == []
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "start", "lamp"),
+    [
+        ("fx", "LD X0/OUT T0 K1/LD X1/OUT T0 K2/LD T0/OUT Y0", "X0", "Y0"),
+        ("fx", "LD X0/MC N0 M100/LD X0/OUT T0 K1/MCR N0/LD X1/MC N0 M101/OUT T0 K2/MCR N0/LD T0/OUT Y0", "X0", "Y0"),
+        ("s7-200", "LD I0.0/TON T37, 1/LD I0.1/TON T37, 2/LD T37/= Q0.0", "I0.0", "Q0.0"),
+        ("gutta", "LD I0.0/TON T37, 1/LD I0.1/TON T37, 2/LD T37/= Q0.0", "I0.0", "Q0.0"),
+        ("neza", "%TM0: TB=10ms P=3/LD %I0.0/IN %TM0/LD %I0.1/IN %TM0/LD %TM0.Q/ST %Q0.0", "%I0.0", "%Q0.0"),
+        (
+            "s7-200",
+            "LD SM0.1/S S0.0, 1/LSCR S0.0/LD I0.0/TON T37, 1/SCRE/LSCR S0.1/LD I0.0/TON T37, 1/SCRE/LD T37/= Q0.0",
+            "I0.0",
+            "Q0.0",
+        ),
+    ],
+)
+def test_a_timer_driven_twice_never_comes_on_and_is_found(name: str, text: str, start: str, lamp: str) -> None:
+    assert "1" not in on(text, name, lamp, [{start: 1, "ms": 100}] * 20)
+    assert "COI010" in {code for _, code, _ in found(text, name)}
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "row"),
+    [
+        ("fx", "LD X0/OUT C0 K10/LD X1/OUT C0 K20/LD C0/OUT Y0", 4),
+        ("s7-200", "LD I0.0/LD I0.2/CTU C0, 5/Network 2/LD I0.1/LD I0.2/CTU C0, 5", 7),
+        ("s7-200", "LD I0.0/LD I0.2/CTU C0, 5/Network 2/LD I0.1/LD I0.2/CTD C0, 5", 7),
+        ("gutta", "LD I0.0/LD I0.2/CTU C0, 5/Network 2/LD I0.1/LD I0.2/CTU C0, 5", 7),
+        ("neza", "%C0: P=3/LD %I0.0/CU %C0/LD %I0.1/CU %C0/LD %C0.D/ST %Q0.0", 5),
+    ],
+)
+def test_a_counter_driven_twice_is_found(name: str, text: str, row: int) -> None:
+    assert [(code, at) for _, code, at in found(text, name)] == [("COI010", row)]
+
+
+@pytest.mark.parametrize(
+    ("name", "text"),
+    [
+        # two steps
+        ("fx", "STL S20/OUT T0 K10/LD T0/SET S21/STL S21/LD X1/OUT T0 K5/RET/END"),
+        # jumped over by turns, in both usual forms
+        ("s7-200", "LD I0.0/JMP 1/Network 2/LD I0.1/= Q0.0/Network 3/LBL 1/Network 4/LDN I0.0/JMP 2/Network 5/LD I0.2/= Q0.0/Network 6/LBL 2"),
+        ("s7-200", "LD I0.0/JMP 1/Network 2/LD I0.1/= Q0.0/Network 3/LD SM0.0/JMP 2/Network 4/LBL 1/Network 5/LD I0.2/= Q0.0/Network 6/LBL 2"),
+        ("neza", "LD %I0.0/JMPC %L1/LD %I0.1/IN %TM0/JMP %L2/%L1:/LD %I0.2/IN %TM0/%L2:/LD %TM0.Q/ST %Q0.2"),
+        # two subroutines
+        ("neza", "LD %I0.0/SR1/LDN %I0.0/SR2/END/SR1:/LD %I0.1/ST %Q0.0/RET/SR2:/LD %I0.2/ST %Q0.0/RET"),
+        # one pin of a counter each, and a reset from two places
+        ("neza", "%C0: P=3/LD %I0.0/CU %C0/LD %I0.1/CD %C0/LD %I0.2/R %C0/LD %I0.3/R %C0/LD %C0.D/ST %Q0.0"),
+    ],
+)  # fmt: skip
+def test_alternatives_may_drive_the_same_bit_or_block(name: str, text: str) -> None:
+    assert not {"COI001", "COI010"} & {code for _, code, _ in found(text, name)}
+
+
+def test_what_one_jump_passes_over_together_is_no_alternative() -> None:
+    both = "LD I0.0/JMP 1/Network 2/LD I0.1/= Q0.0/Network 3/LD I0.2/= Q0.0/Network 4/LBL 1"
+    assert [(code, row) for _, code, row in found(both, "s7-200")] == [("COI001", 8)]
+    one = "LD I0.1/= Q0.0/Network 2/LD I0.0/JMP 1/Network 3/LD I0.2/= Q0.0/Network 4/LBL 1"
+    assert [(code, row) for _, code, row in found(one, "s7-200")] == [("COI001", 8)]
 
 
 NINE = "/".join(f"LD I0.{number}/A I1.{number}" for number in range(8)) + "/LD I2.0/A I2.1"

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 _PLACES: tuple[tuple[VerbName, VerbName], ...] = (("jump", "label"), ("call", "entry"))
 
 
-def _named(line: Line, name: VerbName) -> str:
+def named(line: Line, name: VerbName) -> str:
     """Give the label or subroutine that a line names with a verb, spelled as the list does; "" where it names none."""
     for verb in line.insn.then:
         if verb.name == name and isinstance(line.bound.get(verb.target), int):
@@ -35,10 +35,10 @@ def _lines(program: Program) -> Iterator[tuple[str, Line]]:
 @finds("JMP001", PROGRAM_RULES)
 def no_such_place(program: Program, row: Rule) -> Iterator[Diagnostic]:
     """A jump goes to a label that does not stand in its routine, or a call to a subroutine that stands nowhere."""
-    labels = {(block, _named(line, "label")) for block, line in _lines(program)}
+    labels = {(block, named(line, "label")) for block, line in _lines(program)}
     routines = {network.block for network in program.networks}
     for block, line in _lines(program):
-        jumps, calls = _named(line, "jump"), _named(line, "call")
+        jumps, calls = named(line, "jump"), named(line, "call")
         if jumps and (block, jumps) not in labels:
             yield row.at(line.span, word=line.text, name=_label(program, jumps))
         if calls and calls not in routines:
@@ -57,7 +57,7 @@ def place_twice(program: Program, row: Rule) -> Iterator[Diagnostic]:
     first: dict[tuple[str, str], Line] = {}
     for block, line in _lines(program):
         for _, verb in _PLACES:
-            name = _named(line, verb)
+            name = named(line, verb)
             before = first.setdefault((block if verb == "label" else "", name), line) if name else line
             if before is not line:
                 yield row.at(line.span, name=name, row=before.span.row)
@@ -69,7 +69,7 @@ def subroutine_before_end(program: Program, row: Rule) -> Iterator[Diagnostic]:
     ended = False
     for _, line in _lines(program):
         ended |= any(verb.name == "end" and verb.formula is None for verb in line.insn.then)
-        name = _named(line, "entry")
+        name = named(line, "entry")
         if name and not ended:
             yield row.at(line.span, name=name, end=program.dialect.roles.get("end", ""))
 
