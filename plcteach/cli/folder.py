@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from plcteach.check.files import no_text, unread
+from plcteach.check.files import document, no_text, project, unread
 from plcteach.check.lint import lint
 from plcteach.core.diagnostic import Diagnostic, rule
 from plcteach.core.errors import NotRepresentableError
@@ -77,7 +77,7 @@ def _linted(path: Path, name: str, how: tuple[Dialect, Symbols | None], encoding
     except OSError as trouble:
         return Linted(name, nothing, (unread(trouble),))
     if no_text(data):
-        return Linted(name, nothing, (rule("FIL002").at(Span(1)),))
+        return Linted(name, nothing, (document(path.suffix[1:]) or project(),))
     text = decode(data, encoding)
     if is_symbols(text):
         return Linted(name, Program(family, (), source=text), read_symbols(text).diagnostics)

@@ -20,6 +20,7 @@ from plcteach.check.marking import mark as marks
 from plcteach.check.marking.grading import How, grade_folder
 from plcteach.check.marking.handed import MOST_BYTES, handed_in
 from plcteach.check.marking.mark import Mark, mark_of, plain
+from plcteach.check.marking.named import told_apart
 from plcteach.check.marking.rows import histogram
 from plcteach.check.marking.tables import cell
 from plcteach.check.marking.workers import marked
@@ -383,6 +384,183 @@ def test_a_fault_inside_is_a_row_and_not_kept(monkeypatch, tmp_path) -> None:
 
     assert dict(keep(tmp_path, [("k", mark)])) == {"k": mark}
     assert kept(tmp_path, {"k"}) == {}
+
+
+# Names: whose a file is says the file system, not what can be shown of its name.
+
+RAW = {
+    "张三.stl".encode("gbk"): RIGHT,
+    "李四.stl".encode("gbk"): LONELY,
+    "王五.stl".encode("gbk"): WRONG,
+    b"a\x07b.stl": RIGHT,
+    b"a b.stl": WRONG,
+    b"a\x06b.stl": LONELY,
+    "赵六.stl".encode(): RIGHT,
+    "赵六.stl".encode("gbk"): WRONG,
+    b"\xff\xff.stl": RIGHT,
+    b"\xff\xfe.stl": WRONG,
+    "Mu\u0308ller.stl".encode(): RIGHT,
+    "M\u00fcller.stl".encode(): WRONG,
+    "孙七_21_assignsubmission_file_/一\a.stl".encode("gbk"): WRONG,
+    "孙七_21_assignsubmission_file_/一 .stl".encode("gbk"): RIGHT,
+    "孙七_22_assignsubmission_file_/二.stl".encode("gbk"): WRONG,
+    "周八_23_assignsubmission_file_".encode() + "王.stl".encode("gbk"): WRONG,
+    "周八_23_assignsubmission_file_a.stl".encode(): RIGHT,
+}
+MIXED = "周八_23_assignsubmission_file_".encode().decode("gbk") + "王.stl"
+NAMED = {
+    ("张三", ""): (4, "张三.stl", []),
+    ("李四", ""): (0, "李四.stl", []),
+    ("王五", ""): (0, "王五.stl", []),
+    ("a b", ""): (0, "a b.stl", []),
+    ("a b (2)", ""): (0, "a b.stl (2)", []),
+    ("a b (3)", ""): (4, "a b.stl (3)", []),
+    ("赵六", ""): (4, "赵六.stl", []),
+    ("赵六 (2)", ""): (0, "赵六.stl (2)", []),
+    ("\\xff\\xff", ""): (4, "\\xff\\xff.stl", []),
+    ("\\xff\\xfe", ""): (0, "\\xff\\xfe.stl", []),
+    ("Mu\u0308ller", ""): (4, "Mu\u0308ller.stl", []),
+    ("M\u00fcller (2)", ""): (0, "M\u00fcller.stl (2)", []),
+    ("孙七", "21"): (
+        4,
+        "孙七_21_assignsubmission_file_/一 .stl (2)",
+        ["孙七_21_assignsubmission_file_/一 .stl"],
+    ),
+    ("孙七", "22"): (0, "孙七_22_assignsubmission_file_/二.stl", []),
+    ("周八", "23"): (4, "周八_23_assignsubmission_file_a.stl", [MIXED]),
+}
+raw_names = pytest.mark.skipif(sys.platform != "linux", reason="file names are text there")
+
+
+def put(folder: Path, names: dict[bytes, str]) -> Path:
+    for name, text in names.items():
+        path = Path(os.fsdecode(os.fsencode(folder) + b"/" + name))
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text, encoding="utf-8")
+    return folder
+
+
+def graded(folder: Path, out: Path) -> list[dict]:
+    command = [sys.executable, "-W", "error", "-c", RUN, "grade", str(folder), "--exercise", ID, "-o", str(out)]
+    done = subprocess.run([*command, "--lang", "en", "--jobs", "1"], capture_output=True, check=False)
+    assert (done.returncode, done.stderr) == (0, b"")
+    return json.loads((out / "results.json").read_text(encoding="utf-8"))["learners"]
+
+
+@raw_names
+def test_learners_whose_names_are_no_text_or_look_alike_stay_different_learners(tmp_path) -> None:
+    rows = graded(put(tmp_path / "in", RAW), tmp_path / "out")
+    assert {(one["learner"], one["number"]): (one["marks"], one["file"], one["others"]) for one in rows} == NAMED
+    table = (tmp_path / "out" / "results.csv").read_text(encoding="utf-8-sig").splitlines()
+    told = [(row["name"], row["number"], float(row["marks"]), row["report"]) for row in csv.DictReader(table)]
+    assert told == [(one["learner"], one["number"], one["marks"], one["report"]) for one in rows]
+
+
+@raw_names
+def test_each_of_them_has_a_report_of_their_own_and_the_class_page_links_it(tmp_path) -> None:
+    from urllib.parse import unquote
+
+    out = tmp_path / "out"
+    rows = graded(put(tmp_path / "in", RAW), out)
+    assert len({one["report"].casefold() for one in rows}) == len(NAMED)
+    assert {path.name for path in (out / "reports").iterdir()} == {Path(one["report"]).name for one in rows}
+    assert (out / "reports" / "张三.html").is_file()
+    for one in rows:
+        report = (out / one["report"]).read_text(encoding="utf-8")
+        assert f"<strong>{one['learner']}</strong>" in report
+        assert f"{one['marks']:g} of 4" in report
+    page = (out / "class.html").read_text(encoding="utf-8")
+    names = dict(re.findall(r'<a href="(reports/[^"]*)">([^<]*)</a>', page))
+    assert {unquote(link): name for link, name in names.items()} == {one["report"]: one["learner"] for one in rows}
+    groups = {(one["learner"], one["number"]): one["group"] for one in rows}
+    right = {who for who, group in groups.items() if group == groups["张三", ""]}
+    assert right == {who for who, (points, *_) in NAMED.items() if points}
+
+
+@raw_names
+def test_their_marks_do_not_wander_when_the_run_goes_on_or_begins_anew(tmp_path) -> None:
+    first = dict(list(RAW.items())[::2])
+    out, other = tmp_path / "out", tmp_path / "other"
+    folder = put(tmp_path / "in", first)
+    graded(folder, out)
+    again = graded(put(folder, RAW), out)
+    assert again == graded(put(tmp_path / "in again", dict(reversed(RAW.items()))), other)
+    assert everything(out) == everything(other)
+    graded(folder, out)
+    assert everything(out) == everything(other)
+
+
+@raw_names
+def test_a_name_that_is_utf_8_by_chance_is_read_as_the_names_beside_it(tmp_path) -> None:
+    chance = "模一.stl"
+    assert chance.encode("gbk").decode("utf-8") != chance
+    put(tmp_path, {chance.encode("gbk"): RIGHT, "Müller.stl".encode(): RIGHT, "赵六.stl".encode(): RIGHT})
+    assert "模一" not in {one.learner for one in handed_in(tmp_path)}
+    put(tmp_path, {"张三.stl".encode("gbk"): RIGHT})
+    assert {one.learner for one in handed_in(tmp_path)} == {"模一", "Müller", "赵六", "张三"}
+
+
+def test_two_learners_of_one_name_are_told_apart_by_their_numbers(tmp_path) -> None:
+    for number, text in ((5, RIGHT), (6, WRONG)):
+        put(tmp_path, {MOODLE.format("张伟", number, "a.stl").encode(): text})
+    assert [(one.learner, one.number) for one in handed_in(tmp_path)] == [("张伟", "5"), ("张伟", "6")]
+
+
+def test_a_name_that_has_a_count_already_keeps_it() -> None:
+    names = {(one, ""): (one, "") for one in ("a b (2)", "a\tb", "a\rb", "a b")}
+    given = {raw: name for (raw, _), name in told_apart(names).items()}
+    assert given == {"a b": "a b", "a b (2)": "a b (2)", "a\tb": "a b (3)", "a\rb": "a b (4)"}
+
+
+# What is a document of another kind.
+
+DOCUMENTS = {
+    "a.pdf": ("PDF文档", "a PDF document (.pdf)"),
+    "a.PDF": ("PDF文档", "a PDF document (.pdf)"),
+    "a.doc": ("文字处理软件的文档", "a word processor's document (.doc)"),
+    "a.docx": ("文字处理软件的文档", "a word processor's document (.docx)"),
+    "a.odt": ("文字处理软件的文档", "a word processor's document (.odt)"),
+    "a.wps": ("文字处理软件的文档", "a word processor's document (.wps)"),
+    "a.ipynb": ("Jupyter笔记本", "a Jupyter notebook (.ipynb)"),
+    "a.png": ("图片", "a picture (.png)"),
+    "a.jpeg": ("图片", "a picture (.jpeg)"),
+}
+
+
+@pytest.mark.parametrize("name", DOCUMENTS)
+@pytest.mark.parametrize("size", [8, MOST_BYTES + 8])
+def test_a_document_is_called_what_it_is_and_the_list_is_asked_for_as_text(tmp_path, name: str, size: int) -> None:
+    (tmp_path / name).write_bytes(b"%PDF-1.7\0" + b"\1" * size)
+    (one,) = handed_in(tmp_path)
+    assert one.trouble.code == "FIL002"
+    zh, en = DOCUMENTS[name]
+    assert zh in one.trouble.text.zh
+    assert en in one.trouble.text.en
+    assert "指令表本身" in one.trouble.text.zh
+    assert "the list itself" in one.trouble.text.en
+    assert "project" not in one.trouble.text.en
+
+
+@pytest.mark.parametrize("name", ["a.zip", "a.rar", "a.7z"])
+def test_an_archive_is_called_one(tmp_path, name: str) -> None:
+    (tmp_path / name).write_bytes(b"PK\0\1")
+    assert [one.trouble.code for one in handed_in(tmp_path)] == ["HND001"]
+
+
+def test_what_only_may_be_a_project_is_not_called_a_document(tmp_path) -> None:
+    (tmp_path / "a.mwp").write_bytes(b"\0\1")
+    (one,) = handed_in(tmp_path)
+    assert "most likely it is a project" in one.trouble.text.en
+
+
+def test_lint_of_a_folder_says_the_same_of_a_document(tmp_path, capsys) -> None:
+    for name in ("a.odt", "b.rar", "c.mwp"):
+        (tmp_path / name).write_bytes(b"PK\0\1")
+    assert main(["lint", str(tmp_path), "--dialect", "s7-200", "--json", "--lang", "en"]) == 1
+    said = {name: one["text"] for name, (one,) in json.loads(capsys.readouterr().out).items()}
+    assert "a word processor's document (.odt)" in said["a.odt"]
+    assert "an archive (.rar)" in said["b.rar"]
+    assert "project" in said["c.mwp"]
 
 
 # The call.

@@ -9,10 +9,11 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from plcteach.check.files import no_text, unread
+from plcteach.check.files import document, no_text, project, unread
+from plcteach.check.marking.named import readable, told_apart
 from plcteach.check.marking.webtext import web_text
 from plcteach.core.diagnostic import Diagnostic, rule
-from plcteach.core.source import Span, decode, printable
+from plcteach.core.source import Span, decode
 from plcteach.core.text import Text
 
 if TYPE_CHECKING:
@@ -23,14 +24,17 @@ MOST_BYTES = 400_000
 
 _PLATFORM = re.compile(r"(?P<name>.+?)_(?P<number>\d+)_assignsubmission_(?:file|onlinetext)(?:_.*)?", re.DOTALL)
 _ARCHIVES = re.compile(r"zip|rar|7z|tar|gz|tgz|bz2|xz")
-_NO_TEXTS = re.compile(r"bmp|docx?|exe|gif|heic|html?|ipynb|jpe?g|mp4|mov|odt|pdf|png|pptx?|py|svg|webp|xlsx?")
 _OF_THE_SYSTEM = {"__MACOSX", "Thumbs.db", "desktop.ini"}
 
 
 @dataclass(frozen=True, slots=True)
 class HandIn:
-    """One file: whose it is, the number that the platform gave them, its path in the folder, and its text or what is wrong with it."""
+    """One file: whose it is, the number that the platform gave them, its path in the folder, and its text or what is wrong with it.
 
+    `learner` and `file` are shown; `owner` tells one learner from another: their name, as the file system has it, and the number.
+    """
+
+    owner: tuple[str, str]
     learner: str
     number: str
     file: str
@@ -44,7 +48,19 @@ def handed_in(folder: Path, encoding: str | None = None, without: Path | None = 
     A folder for each learner (`Name_1234_assignsubmission_file_`, or just a name), or files named for their learners.
     """
     folder = _inner(folder, without)
-    found = [_handed(folder, path, encoding) for path in _files(folder, without)]
+    paths = {path: path.relative_to(folder) for path in _files(folder, without)}
+    owners = {path: _learner(name) for path, name in paths.items()}
+    words = readable(
+        [*(name for name, _ in owners.values()), *(part for name in paths.values() for part in name.parts)]
+    )
+    learners = told_apart({(name, number): (words[name], number) for name, number in owners.values()})
+    files = told_apart(
+        {(name.as_posix(), ""): ("/".join(words[part] for part in name.parts), "") for name in paths.values()}
+    )
+    found = [
+        _handed(path, owners[path], (learners[owners[path]], files[name.as_posix(), ""]), encoding)
+        for path, name in paths.items()
+    ]
     return sorted(found, key=lambda one: (one.learner.casefold(), one.learner, one.number, one.file))
 
 
@@ -75,12 +91,11 @@ def _passed_over(name: str) -> bool:
     return name.startswith(".") or name in _OF_THE_SYSTEM
 
 
-def _handed(folder: Path, path: Path, encoding: str | None) -> HandIn:
-    name = path.relative_to(folder).as_posix()
-    learner, number = _learner(path.relative_to(folder))
+def _handed(path: Path, owner: tuple[str, str], shown: tuple[str, str], encoding: str | None) -> HandIn:
+    learner, file = shown
     read = _read(path, encoding)
     text, trouble = (read, None) if isinstance(read, str) else ("", read)
-    return HandIn(_shown(learner), number, _shown(name), text, trouble)
+    return HandIn(owner, learner, owner[1], file, text, trouble)
 
 
 def _learner(path: Path) -> tuple[str, str]:
@@ -92,36 +107,33 @@ def _learner(path: Path) -> tuple[str, str]:
     return (first if len(path.parts) > 1 or not path.suffix else path.stem), ""
 
 
-def _shown(name: str) -> str:
-    """Make a name of a file showable everywhere: no sign that a terminal obeys, none that no encoding has."""
-    return printable(name.encode("utf-8", "replace").decode("utf-8"))
-
-
 def _read(path: Path, encoding: str | None) -> str | Diagnostic:
     """Give the text of a file, or the finding that says why there is none; links are not followed out of the folder."""
     kind = path.suffix[1:].lower()
+    typed_in = "onlinetext" in path.as_posix() and kind in {"html", "htm"}
     try:
-        refused = _refused(path.lstat(), kind)
+        refused = _refused(path.lstat(), "" if typed_in else kind)
         data = b"" if refused else path.read_bytes()
     except OSError as trouble:
         return unread(trouble)
     if refused:
         return refused
-    typed_in = "onlinetext" in path.as_posix() and kind in {"html", "htm"}
-    if no_text(data) or (_NO_TEXTS.fullmatch(kind) and not typed_in):
-        return _said("FIL002")
+    if no_text(data):
+        return project()
     text = decode(data, encoding)
     return web_text(text) if typed_in else text
 
 
 def _refused(about: os.stat_result, kind: str) -> Diagnostic | None:
-    """Say why something is not even opened: no file, an archive, too long."""
+    """Say why something is not even opened: no file, an archive, a document, too long."""
     if stat.S_ISDIR(about.st_mode):
         return _said("HND002")
     if not stat.S_ISREG(about.st_mode):
         return _said("FIL001", reason=_NO_FILE)
     if _ARCHIVES.fullmatch(kind):
         return _said("HND001", kind=f".{kind}")
+    if told := document(kind):
+        return told
     if about.st_size > MOST_BYTES:
         return _said("RDR013", size=f"{about.st_size:,} B", most=f"{MOST_BYTES:,} B")
     return None

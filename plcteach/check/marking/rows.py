@@ -38,11 +38,12 @@ def rows_of(handed: Sequence[HandIn], marks: Mapping[HandIn, Mark]) -> list[Row]
     """Give a row for each learner, in order; of several answers the best counts, of equally good ones the first."""
     rows: list[Row] = []
     pages: set[str] = set()
-    for (learner, number), files in groupby(handed, key=lambda one: (one.learner, one.number)):
+    for _, files in groupby(handed, key=lambda one: one.owner):
         tried = [(one, unread(one.trouble) if one.trouble else marks[one]) for one in files]
         best, mark = max(tried, key=lambda pair: (pair[0].trouble is None, pair[1].marks, pair[1].status == "equal"))
         others = tuple(one.file for one, _ in tried if one is not best)
-        rows.append(Row(learner, number, best.file, best.text, mark, _page(learner, number, pages), others))
+        name = _page(best.learner, best.number, pages)
+        rows.append(Row(best.learner, best.number, best.file, best.text, mark, name, others))
     return _grouped(rows)
 
 
