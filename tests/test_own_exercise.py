@@ -7,20 +7,22 @@ import io
 import json
 import re
 from pathlib import Path
+from random import Random
 
 import pytest
 
 import plcteach as plc
-from plcteach.check.drilling.draft import draft
+from plcteach.check.drilling.draft import DRAFTED, draft
 from plcteach.check.judge import shown
 from plcteach.check.marking.grading import How, grade_folder, write_results
 from plcteach.cli import main
 from plcteach.core.errors import DeclarationError, PlcTeachError
-from plcteach.core.text import speaking
+from plcteach.core.text import Text, speaking
 from plcteach.dialects import dialect
 from plcteach.exercises import exercise, load
 from plcteach.figure.ladder import ladder_scene
 from plcteach.figure.scene import Words, extent
+from plcteach.ladder.telling import is_drawing
 from plcteach.machine import run
 from plcteach.stl import read
 
@@ -187,6 +189,88 @@ def test_a_drill_names_what_is_wrong_and_nothing_else(words: dict, says: str) ->
     with pytest.raises(PlcTeachError, match=re.escape(says)) as told:
         plc.drill(**words)
     assert "Did you mean" not in str(told.value)
+
+
+# Lists that are no ladder, or none of their own: the list stays the reference.
+
+LISTS = {
+    "a counter": ("s7-200", "LD I0.0\nLD I0.1\nCTU C0, 3\nLD C0\n= Q0.0\n"),
+    "two bits at once": ("s7-200", "LD I0.0\nEU\nS Q0.0, 2\nLD I0.1\nR Q0.0, 2\n"),
+    "words compared": ("s7-200", "LDW>= IW0, 5\n= Q0.0\n"),
+    "bytes compared": ("s7-200", "LDB= IB0, 5\nS Q0.0, 1\nLDB= IB0, 6\nR Q0.0, 1\n"),
+    "a timer in a branch": ("s7-200", "LD I0.0\nLPS\nA I0.1\n= Q0.0\nLPP\nTON T37, 50\nLD T37\n= Q0.1\n"),
+    "a word moved": ("s7-200", "LD SM0.0\nMOVW 5, VW0\nLD I0.0\n= Q0.0\n"),
+    "a jump": ("s7-200", "LD I0.0\nJMP 1\nLD I0.1\n= Q0.0\nLBL 1\n"),
+    "a data register": ("fx", "LD> D0 K5\nOUT Y0\n"),
+    "a step": ("fx", "STL S20\nOUT Y0\nRET\n"),
+    "a master control": ("fx", "LD X0\nMC N0 M100\nLD X1\nOUT Y0\nMCR N0\n"),
+    "a word compared": ("neza", "LD [%MW0 > 5]\nST %Q0.0\n"),
+    "a shift register": ("neza", "LD %I0.0\nCU %SBR0\nLD %I0.1\nST %SBR0.0\nLD %SBR0.3\nST %Q0.0\n"),
+    "a counter of three": ("gutta", "LD I0.0\nLD I0.1\nLD I0.2\nCTUD C0, 3\nLD C0\n= Q0.0\n"),
+    "an edge": ("gutta", "LD I0.0\nP M0.0\n= Q0.0\n"),
+}
+WITHOUT = {
+    "join": set(LISTS),
+    "match": {
+        "a counter", "two bits at once", "bytes compared", "a timer in a branch", "a word moved", "a data register",
+        "a word compared", "a jump",
+    },
+    "bug": {"a data register", "a word compared"},
+}  # fmt: skip
+"""What a list does not make: it has no join, no ladder that is like it, or nothing that a change would change."""
+
+
+@pytest.mark.parametrize("name", LISTS)
+@pytest.mark.parametrize("kind", ["write", *DRAFTED])
+def test_any_list_makes_an_exercise_that_is_proved_or_is_refused_in_words(
+    tmp_path, capsys, name: str, kind: str
+) -> None:
+    family, text = LISTS[name]
+    (tmp_path / "given.txt").write_text(text, encoding="utf-8")
+    out = tmp_path / "made.toml"
+    words = ["exercise", "new", str(tmp_path / "given.txt"), "--dialect", family, "--kind", kind, "-o", str(out)]
+    code, said = main(words), capsys.readouterr()
+    if name in WITHOUT.get(kind, ()):
+        assert code == 2
+        assert re.search(r"no join of blocks|nothing to choose from|nothing to mend", said.err)
+        assert not out.exists()
+        return
+    assert code == 0, said.err
+    assert main(["exercise", "test", str(out)]) == 0, capsys.readouterr().out
+    written = load(out)
+    assert (written.kind, len(written.wrong) > 0, len(written.hints) > 1) == (kind, True, True)
+    if len(written.right) < 2:
+        assert "please add another" in out.read_text(encoding="utf-8")
+    unseen = kind in {"write", "order"} and not is_drawing(written.reference)
+    assert ("must say in words" in out.read_text(encoding="utf-8").partition("# Say it")[2]) == unseen
+
+
+@pytest.mark.parametrize("name", LISTS)
+def test_every_right_sample_runs_like_the_list_itself(name: str) -> None:
+    family, text = LISTS[name]
+    made, dice = draft(text, dialect(family), "write", "mine"), Random(name)
+    mine = read(text, family)
+    inputs = [one.text for one in mine.addresses("input")]
+    scans = [{one: dice.randint(0, 1) for one in inputs} | {"ms": 500} for _ in range(60)]
+    outputs = [one.text for one in mine.addresses("output")]
+    for right in made.right:
+        trace, wanted = run(read(right, family), scans), run(mine, scans)
+        assert len(wanted) == len(scans)
+        assert [trace.values(one) for one in outputs] == [wanted.values(one) for one in outputs]
+
+
+def test_a_draft_that_does_not_prove_itself_is_refused(mine, monkeypatch, capsys) -> None:
+    monkeypatch.setattr("plcteach.check.drilling.draft.hints", lambda _program: (Text("答案有9条指令。", "It lies."),))
+    assert main(["exercise", "new", "right.txt", "--lang", "en", "-o", "out.toml"]) == 2
+    assert "No exercise that proves itself came of this (hints 1: '9'" in capsys.readouterr().err
+    assert mine.exists()
+    assert not Path("out.toml").exists()
+
+
+@pytest.mark.parametrize("kind", ["predict", "chart", "order"])
+def test_a_jump_back_is_no_crash(kind: str) -> None:
+    text = "LD I0.0\n= Q0.0\nLBL 1\nLD Q0.0\nAN I0.0\nJMP 1\n"
+    assert draft(text, dialect("s7-200"), kind, "mine").right
 
 
 # A counterexample is short, and can be run.

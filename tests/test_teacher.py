@@ -21,7 +21,7 @@ from plcteach.check.judge import judge
 from plcteach.check.proving import proofs, proved
 from plcteach.cli import main
 from plcteach.dialects import families
-from plcteach.exercises import exercise, ids, load
+from plcteach.exercises import exercise, ids, load, parse
 from plcteach.ladder.picture import write_drawing
 from plcteach.stl import read
 
@@ -219,6 +219,71 @@ def test_a_file_that_is_spoiled_is_found(tmp_path, capsys, name: str) -> None:
     assert what in {one["what"] for one in found["spoiled"] if one["state"] == "failed"}, found
     assert main(["exercise", "test", str(path)]) == 1
     assert "FAILED" in capsys.readouterr().out
+
+
+LIES = {
+    "an instruction": ("要用OLD。", "Use OLD.", "failed", "OLD"),
+    "an instruction that is only spoken of": ("OLD连接两块。", "OLD joins two blocks.", "note", "OLD"),
+    "in Chinese alone": ("写OLD", "Two blocks.", "failed", "OLD"),
+    "at the end of a question": ("这里是OLD吗？", "Is it OLD?", "note", "OLD"),
+    "addresses": ("程序是LD I0.5、A I0.1。", "The list is LD I0.5, A I0.1.", "failed", "I0.5"),
+    "an output": ("写= Q0.7", "It ends with = Q0.7", "failed", "Q0.7"),
+    "a number in words": ("七条。", "The answer has seven instructions.", "failed", "seven"),
+    "a number in Chinese words": ("答案有七条指令。", "Seven.", "failed", "七"),
+    "a number of lines": ("答案共4行。", "The list has four lines.", "failed", "4"),
+    "two languages that part": ("LD I0.0、A I0.1、= Q0.0。", "LD I0.0, O I0.1, = Q0.0", "failed", "only in English: O"),
+    "one language that says more": ("先写LD I0.0。", "Load the first one.", "note", "only in Chinese: I0.0, LD"),
+    "a line": ("先是LD I0.0，然后LD I0.1。", "LD I0.0, then LD I0.1.", "note", "LD I0.1"),
+}
+TRUTHS = {
+    "a warning": ("不要用OLD。", "Do not use OLD."),
+    "what it is instead": ("用A，而不是OLD。", "Write A instead of OLD."),
+    "a number in words": ("答案有三条指令。", "The answer has three instructions."),
+    "two lines of it": ("有两条指令读输入。", "Two instructions read inputs."),
+    "a number of two signs": ("十二条也行。", "The list could have more lines."),
+    "a range": ("I0.0到I0.7是一个字节。", "I0.0 to I0.7 are one byte."),
+    "the list": ("LD I0.0，A I0.1，= Q0.0。", "LD I0.0, A I0.1, = Q0.0."),
+    "a sentence that begins with A": ("一个触点读I0.1。", "A contact reads I0.1."),
+}
+
+
+def told(zh: str, en: str, text: str = SOUND) -> list[tuple[str, str]]:
+    """Prove the sound exercise with a hint of one's own, and give what is said of that hint."""
+    hint = f'{{ zh = "{zh}", en = "{en}" }}, {{ zh = "串联。"'
+    one = parse(text.replace('{ zh = "串联。"', hint, 1), "mine")
+    return [(proof.state, proof.says.en) for proof in proofs(one) if proof.what.en == "hints 2"]
+
+
+@pytest.mark.parametrize("name", LIES)
+def test_a_hint_that_lies_is_refused_and_a_doubtful_one_is_remarked(name: str) -> None:
+    zh, en, state, words = LIES[name]
+    ((got, says),) = told(zh, en)
+    assert (got, words in says) == (state, True), says
+
+
+@pytest.mark.parametrize("name", TRUTHS)
+def test_a_hint_that_is_true_is_believed(name: str) -> None:
+    assert told(*TRUTHS[name]) == [("proved", "")]
+
+
+def test_bits_that_a_line_reaches_with_its_number_are_in_the_exercise() -> None:
+    text = SOUND.replace("= Q0.0", "S Q0.0, 4").replace("( Q0.0 )", "{ S Q0.0, 4 }")
+    assert told("Q0.3也置位。", "Q0.3 is set as well.", text) == [("proved", "")]
+    assert told("Q0.4也置位。", "Q0.4 is set as well.", text)[0][0] == "failed"
+
+
+def test_every_wrong_list_is_searched_for_its_repair_where_more_is_asked_too() -> None:
+    found = {
+        name: [one for one in proofs(exercise(name)) if "repair" in one.what.en]
+        for name in ("s7-seal-in", "s7-star-delta")
+    }
+    assert all(len(some) > 1 and proved(tuple(some)) for some in found.values()), found
+
+
+def test_no_hint_of_the_bundled_exercises_lies() -> None:
+    known = {name: exercise(name) for name in ids()}
+    some = {name: proofs(one, known, repairs=False) for name, one in known.items()}
+    assert {name: one for name, one in some.items() if not proved(one)} == {}
 
 
 def test_a_folder_of_files_is_proved_one_by_one(tmp_path, capsys) -> None:

@@ -9,25 +9,27 @@ import re
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal
 
+from plcteach.check.drilling.claims import claims
+from plcteach.check.hints import mended
 from plcteach.check.judge import judge, model, reference, shown
-from plcteach.check.repair import repair
 from plcteach.core.diagnostic import RULES, errors
 from plcteach.core.errors import PlcTeachError
-from plcteach.core.text import NOTHING, Text
+from plcteach.core.text import NOTHING, Text, language
 from plcteach.dialects import dialect
 from plcteach.ladder.picture import read_drawing
 from plcteach.ladder.telling import is_drawing
 from plcteach.stl import read
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator, Mapping
+    from collections.abc import Iterator, Mapping
 
     from plcteach.check.judgement import Judgement
     from plcteach.core.exercise import Exercise, WrongSample
-    from plcteach.core.program import Program
 
 State = Literal["proved", "failed", "note"]
 FEW_RIGHT, FEW_WRONG, FEW_HINTS = 2, 3, 2
+MOST_SEARCHED = 60
+"""So many lines of wrong lists are searched for a repair; the list that goes beyond is the last."""
 _LISTS = ("write", "complete", "bug", "translate", "order")
 _CHINESE = re.compile(r"[\u4e00-\u9fff]")
 
@@ -44,10 +46,16 @@ class Proof:
         return f"{self.what.en}: {self.state}{f' ({self.says.en})' if self.says.en else ''}"
 
 
-def proofs(exercise: Exercise, known: Mapping[str, Exercise] | None = None) -> tuple[Proof, ...]:
-    """Look at everything that makes an exercise sound; `known`: the exercises that it may build on, by their ids."""
+def proofs(
+    exercise: Exercise, known: Mapping[str, Exercise] | None = None, *, repairs: bool = True
+) -> tuple[Proof, ...]:
+    """Look at everything that makes an exercise sound; `known`: the exercises that it may build on, by their ids.
+
+    repairs: whether the edits that a learner is led to are searched for and followed too, which takes longest.
+    """
     found: list[Proof] = []
-    for look in (_words, _drawing, _material, _model, _start, _right, _wrong, _after, _hints, _repairs):
+    looks = (_words, _drawing, _material, _model, _start, _right, _wrong, _after, _hints, _repairs)
+    for look in looks if repairs else looks[:-1]:
         try:
             found += look(exercise, known or {})
         except PlcTeachError as trouble:
@@ -60,6 +68,18 @@ def proved(some: tuple[Proof, ...]) -> bool:
     return all(one.state != "failed" for one in some)
 
 
+def sound(made: Exercise) -> Exercise:
+    """Give a drafted exercise back if it proves itself; PlcTeachError says what of it does not."""
+    bad = next((one for one in proofs(made, repairs=False) if one.state == "failed"), None)
+    if bad:
+        raise PlcTeachError(_NOT_SOUND.format(what=bad.what, says=bad.says).in_(language()))
+    return made
+
+
+_NOT_SOUND = Text(
+    "从这里没有得到能证明自己的练习（{what}：{says}）。请换一种题型，或改一改程序。",
+    "No exercise that proves itself came of this ({what}: {says}). Try another kind, or change the program.",
+)
 _Known = "Mapping[str, Exercise]"
 _NAMES: dict[str, Text] = {
     "_words": Text("两种语言", "both languages"),
@@ -218,54 +238,33 @@ def _after(exercise: Exercise, known: Mapping[str, Exercise]) -> Iterator[Proof]
 
 # hints
 
-_COUNTS: tuple[tuple[str, Callable[[Program], int]], ...] = (
-    (r"(?:answer|list|program|ladder) (?:has|needs|takes|wants) (\d+) instructions?\b", lambda one: len(one.lines)),
-    (r"(?:答案|语句表|指令表|程序|梯形图)(?:有|要|需要|一共|共)+(\d+)条指令", lambda one: len(one.lines)),
-)
-_WORD = re.compile(r"(?<![\w./%])[A-Z][A-Z(]{1,5}\(?(?![\w.])")
-
 
 def _hints(exercise: Exercise, _known: Mapping[str, Exercise]) -> Iterator[Proof]:
     """Hold what the hints count and name against the answers that are right."""
-    if exercise.kind in _LISTS:
-        programs = [read(text, exercise.dialect) for text in (model(exercise), *exercise.right)]
-        for number, hint in enumerate(exercise.hints, 1):
-            yield Proof(_put("_hints", number), *_told(hint, programs, exercise))
+    texts = (model(exercise), *exercise.right) if exercise.kind in _LISTS else ()
+    programs = [read(text, exercise.dialect) for text in texts]
+    for number, claim in enumerate(claims(exercise, programs), 1):
+        yield Proof(_put("_hints", number), *claim)
     count = len(exercise.hints)
     if count < FEW_HINTS:
         yield Proof(_put("_hints"), "note", _plain(f"只有{count}个", f"only {count}"))
 
 
-def _told(hint: Text, programs: list[Program], exercise: Exercise) -> tuple[State, Text]:
-    """Say whether a hint is true of one of the right answers, as far as that can be told."""
-    for said in (hint.zh, hint.en):
-        for pattern, count in _COUNTS:
-            for claim in re.findall(pattern, said):
-                if int(claim) not in {count(one) for one in programs}:
-                    return "failed", _plain(f"“{claim}”和标准答案不符", f"{claim!r} is not what the model answer has")
-    words = {line.insn.mnemonic for one in programs for line in one.lines} | {
-        line.insn.word for one in programs for line in one.lines
-    }
-    family = dialect(exercise.dialect)
-    named = {one for said in (hint.zh, hint.en) for one in _WORD.findall(said) if one in family.words}
-    foreign = ", ".join(sorted(named - words))
-    if foreign:
-        return "note", _plain(f"正确样本里没有{foreign}", f"no right sample uses {foreign}")
-    return "proved", NOTHING
-
-
 def _repairs(exercise: Exercise, _known: Mapping[str, Exercise]) -> Iterator[Proof]:
-    """Follow the hint that is derived from the first wrong list: mended by it, it gets full marks."""
-    if exercise.kind not in _LISTS or exercise.needs:
-        return
-    wanted = reference(model(exercise), exercise.dialect)
-    for number, sample in enumerate(exercise.wrong, 1):
-        program = read(sample.program, exercise.dialect)
-        plain = exercise.kind == "write"
-        found = repair(
-            wanted, program, exercise.terms, accepts=None if plain else lambda text: _full(judge(exercise, text))
-        )
-        if found:
-            state: State = "proved" if _full(judge(exercise, found.edit.text)) else "failed"
-            yield Proof(_put("_repairs", number), state)
+    """Follow the hint that a learner with a wrong list gets: mended by it the list does what it should.
+
+    A list that is mended and still lacks what the task asks for is worth a note. Work is counted: long lists are not all searched.
+    """
+    lines = 0
+    for number, sample in enumerate(exercise.wrong, 1) if exercise.kind in _LISTS else ():
+        judged = judge(exercise, sample.program)
+        if lines > MOST_SEARCHED:
+            left = len(exercise.wrong) - number + 1
+            yield Proof(_put("_repairs"), "proved", _plain(f"还有{left}个没有查", f"{left} more were not searched"))
             return
+        lines += len(judged.program.lines) if judged.program else 0
+        found = mended(judged)
+        if found:
+            after = judge(exercise, found.edit.text)
+            state: State = "proved" if _full(after) else "note" if after.verdict.status == "equal" else "failed"
+            yield Proof(_put("_repairs", number), state, _status(after))

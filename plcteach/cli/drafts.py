@@ -7,12 +7,14 @@ import re
 from typing import TYPE_CHECKING, Any
 
 from plcteach.core.text import NOTHING, Text, language
+from plcteach.ladder.telling import is_drawing
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
     from plcteach.core.exercise import Exercise
 
+ENOUGH_WRONG = 3
 _HEAD = Text(
     "这个练习是从一个梯形图或指令表生成的。改完以后用 plcteach exercise test 这个文件 检查。",
     "Drafted from a ladder or a list. When you have changed it, prove it: plcteach exercise test THIS FILE",
@@ -39,6 +41,14 @@ _WRONG = Text(
     "每一个都要因所写的原因被拒绝：expect是different或一个诊断编号；because是写它的人怎么想的。",
     "Each must be refused for the stated reason: expect is different or the code of a finding; because: what its writer believed.",
 )
+_FEW_WRONG = Text(
+    "错误的写法找到的不多，最好有三个；请加上您的学生常犯的错误。",
+    "Few wrong ways were found, and three would be better; please add the mistakes that your learners make.",
+)
+_NO_LADDER = Text(
+    "这段程序画不成梯形图，学生看不到图；题目要用文字说清程序该做什么。",
+    "This program cannot be drawn, so no ladder is shown: the task must say in words what the program is to do.",
+)
 _LEVEL = Text("有沿，所以每个扫描都比较。", "There are edges, so it is compared at the end of every scan.")
 
 
@@ -53,6 +63,8 @@ def _rows(one: Exercise) -> Iterator[str]:
     if one.terms.level != "either":
         yield from (_remark(_LEVEL), f"level = {_text(one.terms.level)}")
     yield from (_remark(_HIDDEN), "# hidden = true", "", _remark(_SAID))
+    if one.kind in {"write", "order"} and not is_drawing(one.reference):
+        yield _remark(_NO_LADDER)
     yield from (f"title = {_pair(one.title)}", f"task = {_pair(one.task)}", "")
     yield from _material(one)
     yield from (_remark(_HINTS), "hints = [", *(f"    {_pair(hint)}," for hint in one.hints), "]", "")
@@ -60,6 +72,8 @@ def _rows(one: Exercise) -> Iterator[str]:
     for text in one.right:
         yield from ("[[right]]", f"program = {_long(text)}", "")
     yield _remark(_WRONG)
+    if len(one.wrong) < ENOUGH_WRONG:
+        yield _remark(_FEW_WRONG)
     for sample in one.wrong:
         yield from ("[[wrong]]", f"expect = {_text(sample.expect)}")
         if sample.misconception:

@@ -6,6 +6,8 @@ from dataclasses import replace
 from string import ascii_uppercase
 from typing import TYPE_CHECKING
 
+from plcteach.check.against import verdict_on
+from plcteach.check.drilling.courses import first_inputs
 from plcteach.check.drilling.slips import joins, slips
 from plcteach.check.drilling.told import TITLES, task
 from plcteach.check.kinds import KINDS
@@ -13,7 +15,6 @@ from plcteach.check.lint import lint
 from plcteach.core.errors import NotRepresentableError, PlcTeachError
 from plcteach.core.exercise import WrongSample
 from plcteach.core.text import Text, language
-from plcteach.figure.table import telling_inputs
 from plcteach.ladder.lift import lift
 from plcteach.ladder.picture import write_drawing
 from plcteach.stl import read
@@ -34,7 +35,7 @@ _OTHER = Text("这是另一个答案。", "This is another answer.")
 
 def predict(plain: Exercise, program: Program, dice: Dice) -> Exercise:
     """Ask what is on the stack after each instruction of one scan."""
-    inputs = telling_inputs(program)
+    inputs = first_inputs(program)
     scan = {address: value if dice.falls(0.6) else dice.number(0, 1) for address, value in inputs.items()}
     made = replace(
         plain, kind="predict", task=task("predict", program.dialect), given=program.source, scans=(scan,),
@@ -142,7 +143,7 @@ def match(plain: Exercise, program: Program, dice: Dice) -> Exercise:
     choices = [plain.reference]
     for one in slips(program):
         drawing = _drawn(read(one.text, program.dialect))
-        if one.sure and drawing and drawing not in choices:
+        if one.sure and drawing and drawing not in choices and _does_something_else(plain, program, one.text):
             choices.append(drawing)
         if len(choices) == _CHOICES:
             break
@@ -166,6 +167,10 @@ _NO_OTHER = Text(
     "没有找到另一个像它的梯形图可供选择。",
     "No other ladder was found that is like it, so there is nothing to choose from.",
 )
+
+
+def _does_something_else(plain: Exercise, program: Program, text: str) -> bool:
+    return verdict_on(program, read(text, program.dialect), plain.terms).status == "different"
 
 
 def _drawn(program: Program) -> str:

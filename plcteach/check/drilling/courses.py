@@ -4,8 +4,11 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from plcteach.core.errors import PlcTeachError
+from plcteach.core.text import Text, language
 from plcteach.figure.table import telling_inputs
 from plcteach.machine import run
+from plcteach.machine.course import Mixed
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -25,7 +28,7 @@ Scans = tuple[dict[str, int], ...]
 def course(program: Program, dice: Dice) -> Scans:
     """Give scans in which as many outputs as can be found are on as well as off; with times only where time makes one so."""
     inputs = [one.text for one in program.addresses("input")]
-    first: dict[str, int] = dict(telling_inputs(program))
+    first = first_inputs(program)
     best: Scans = (first, *({dice.pick(inputs): dice.number(0, 1)} if inputs else {} for _ in range(_SHORT - 1)))
     outputs = [one.text for one in program.addresses("output")]
     most = _telling(program, best, outputs)
@@ -37,7 +40,23 @@ def course(program: Program, dice: Dice) -> Scans:
             told = _telling(program, tried, outputs)
             if told > most:
                 most, best = told, tried
+    if most < 0:
+        raise PlcTeachError(_NO_END.in_(language()))
     return best
+
+
+_NO_END = Text(
+    "这个程序在扫描当中停了下来，所以没有什么可问的。",
+    "The program comes to a stop within a scan, so there is nothing to ask.",
+)
+
+
+def first_inputs(program: Program) -> dict[str, int]:
+    """Give the inputs that tell most; every other one is on where they cannot all be looked at together, as in a jump back."""
+    try:
+        return dict(telling_inputs(program))
+    except Mixed:
+        return {one.text: place % 2 for place, one in enumerate(program.addresses("input"))}
 
 
 def _tried(inputs: Sequence[str], dice: Dice, step: int) -> Scans:
@@ -52,6 +71,8 @@ def _tried(inputs: Sequence[str], dice: Dice, step: int) -> Scans:
 
 
 def _telling(program: Program, scans: Scans, outputs: Sequence[str]) -> int:
-    """Count the outputs that are on at some time and off at another."""
+    """Count the outputs that are on at some time and off at another; -1 where the program does not run to the end of the scans."""
     trace = run(program, list(scans))
+    if len(trace) < len(scans):
+        return -1
     return sum({"0", "1"} <= set(map(repr, trace.values(one))) for one in outputs)

@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
 from dataclasses import replace
+from itertools import islice
 from typing import TYPE_CHECKING
 
 from plcteach.check.against import reference
 from plcteach.check.drilling.asked import ASKED
 from plcteach.check.drilling.courses import course
 from plcteach.check.drilling.dice import Dice
-from plcteach.check.drilling.samples import right_lists
+from plcteach.check.drilling.samples import inverted_twice, right_lists
 from plcteach.check.drilling.slips import slips
 from plcteach.check.drilling.told import TITLES, has_edges, hints, subject, task
 from plcteach.check.kinds import KINDS
@@ -30,7 +32,17 @@ if TYPE_CHECKING:
     from plcteach.core.spec import Dialect
 
 ENOUGH, MOST_TRIED = 4, 16
+FEW_RIGHT, MOST_DETOURS = 2, 4
 BLANK = "____"
+_NO_PROOF = Text(
+    "这段程序连与它自己相同也无法证明，所以也判不了学生的答案。请把它分成几个小的练习。",
+    "Not even this program itself can be proved to do what it does, so no answer could be. Make several smaller exercises of it.",
+)
+_IN_WORDS = Text("请写出完成下面功能的{list}：……", "Write the {list} of a program that does this: …")
+_NO_FAULT = Text(
+    "没有找到只有一处错误、能运行而作用不同的写法，所以没有什么可改正的。",
+    "No list with one thing wrong was found that runs and does something else, so there is nothing to mend.",
+)
 _NO_ADDRESS = Text("忘了写地址。", "Forgets the address.")
 _LEFT_SO = Text("原样交了回来，没有改。", "Is handed in as it was given, with nothing changed.")
 _TURNED = str.maketrans("01#_", "10_#")
@@ -45,12 +57,13 @@ def draft(text: str, dialect: Dialect, kind: str, name: str) -> Exercise:
         name, dialect.name, TITLES[subject(program)], task("write", dialect), drawing or text,
         hints=hints(program), terms=Terms(level="exact" if has_edges(program) else "either"),
     )  # fmt: skip
-    rights = [text for text in _rights(ladder, program, dialect) if _is_right(plain, text)]
-    plain = replace(plain, right=tuple(rights), wrong=tuple(_wrongs(plain, program)))
-    if kind == "write":
-        return plain
-    made = DRAFTED[kind](plain, program, Dice(drawing or text))
-    return replace(made, wrong=tuple(one for one in made.wrong if _refused(made, one)))
+    plain = replace(plain, right=tuple(_rights(plain, ladder, program)))
+    if program.source not in plain.right:
+        raise PlcTeachError(_NO_PROOF.in_(language()))
+    told = plain.task if drawing else _IN_WORDS.format(list=dialect.list)
+    plain = replace(plain, task=told, wrong=tuple(_wrongs(plain, program)))
+    made = plain if kind == "write" else DRAFTED[kind](plain, program, Dice(drawing or text))
+    return replace(made, wrong=tuple(_refused(made)))
 
 
 def _ladder(text: str, dialect: Dialect) -> tuple[Ladder, str]:
@@ -67,12 +80,18 @@ def _ladder(text: str, dialect: Dialect) -> tuple[Ladder, str]:
     return (ladder, write_drawing(ladder)) if is_plcopen(text) or not given.found else (Ladder(()), "")
 
 
-def _rights(ladder: Ladder, program: Program, dialect: Dialect) -> Iterator[str]:
-    yield program.source
-    try:
-        yield from (one for one in right_lists(ladder, dialect) if one != program.source)
-    except NotRepresentableError:
-        return
+def _rights(plain: Exercise, ladder: Ladder, program: Program) -> Iterator[str]:
+    """Give right lists, each judged: the list itself, others of its ladder, and where it has none the list with a detour in it."""
+    found = [program.source]
+    if ladder.rungs:
+        with suppress(NotRepresentableError):
+            found += right_lists(ladder, program.dialect)
+    detours = islice(inverted_twice(program), MOST_DETOURS)
+    count = 0
+    for number, text in enumerate(dict.fromkeys((*found, *detours))):
+        if (number < len(found) or count < FEW_RIGHT) and _is_right(plain, text):
+            count += 1
+            yield text
 
 
 def _is_right(exercise: Exercise, text: str) -> bool:
@@ -106,8 +125,12 @@ def _expected(exercise: Exercise, answer: str) -> str:
     return told[0].code if told else judged.verdict.status
 
 
-def _refused(exercise: Exercise, sample: WrongSample) -> bool:
-    return _expected(exercise, sample.program) != ""
+def _refused(exercise: Exercise) -> Iterator[WrongSample]:
+    """Give the wrong samples that are refused for sure, each with what it is refused for."""
+    for one in exercise.wrong:
+        expected = _expected(exercise, one.program)
+        if expected:
+            yield replace(one, expect=expected)
 
 
 # the kinds
@@ -117,8 +140,7 @@ def _bug(plain: Exercise, program: Program, _dice: Dice) -> Exercise:
     """Let the first wrong list that does something else be mended."""
     start = next((one.program for one in plain.wrong if one.expect == "different"), "")
     if not start:
-        msg = "no list with one thing wrong was found that runs and does something else"
-        raise PlcTeachError(msg)
+        raise PlcTeachError(_NO_FAULT.in_(language()))
     words = Text(
         f"这段{program.dialect.list.zh}里有一处错误，请改正。",
         f"There is one fault in this {program.dialect.list.en}. Mend it.",

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from itertools import islice
 from typing import TYPE_CHECKING
 
 from plcteach.check.drilling.slips import slips
@@ -47,17 +48,16 @@ def _lists(ladder: Ladder, dialect: Dialect) -> Iterator[str]:
             yield lower(one, dialect, **ways)
         except NotRepresentableError:
             continue
-    yield from _reordered(lower(ladder, dialect), dialect)
+    yield from islice(inverted_twice(read(lower(ladder, dialect), dialect)), 1)
 
 
-def _reordered(text: str, dialect: Dialect) -> Iterator[str]:
-    """Give the list again with something in it that changes nothing, for the ladder of a single contact."""
-    program = read(text, dialect)
-    invert = dialect.roles.get("invert")
-    if invert:
-        row = next(line.span.row for line in program.lines if line.bits and not line.insn.then)
-        rows = text.split("\n")
-        yield "\n".join([*rows[:row], invert, invert, *rows[row:]])
+def inverted_twice(program: Program) -> Iterator[str]:
+    """Give the list again with an inversion and its undoing in it, which change nothing, behind each line that reads a value."""
+    invert = program.dialect.roles.get("invert", "")
+    rows = program.source.split("\n")
+    for line in program.lines if invert else ():
+        if line.places and not line.insn.then and not line.insn.close:
+            yield "\n".join([*rows[: line.span.row], invert, invert, *rows[line.span.row :]])
 
 
 def turned(ladder: Ladder) -> Ladder:
