@@ -9,6 +9,7 @@ from plcteach.check.judgement import Judgement
 from plcteach.check.marks import parted
 from plcteach.core.diagnostic import errors, refuse, rule
 from plcteach.core.source import Span, decode, half_width, printable, rows_of
+from plcteach.core.text import Text
 from plcteach.core.verdict import Status, Verdict
 from plcteach.ladder.either import read_either
 from plcteach.ladder.picture import read_drawing
@@ -21,12 +22,12 @@ if TYPE_CHECKING:
     from plcteach.core.exercise import Exercise
     from plcteach.core.ladder import Ladder
     from plcteach.core.program import Program
-    from plcteach.core.text import Text
 
 MOST_CHARACTERS = 50_000
 MOST_REMARKS = 20
 _SHOWN = 20
 _SHARES = ("outputs", "steps", "style", "needs")
+_COUNTED = Text("全对的行：{right}/{all}。", "Rows that are right throughout: {right} of {all}.")
 
 
 def looked_at(exercise: Exercise) -> Program:
@@ -88,8 +89,15 @@ def graded(
     wrong: tuple[tuple[int, int], ...] = (),
     grid: Iterable[Iterable[str]] = (),
 ) -> Judgement:
-    """Make the judgement of an answer of which a share (0 to 1) is right; one that could not be read is an error."""
+    """Make the judgement of an answer of which a share (0 to 1) is right; one that could not be read is an error.
+
+    Of a hidden exercise no cell is named: where one is 0 or 1, to know that it is wrong is to know what is right.
+    """
+    signs = tuple(map(tuple, grid))
+    if exercise.hidden and wrong:
+        says = (_COUNTED.format(all=len(signs), right=len(signs) - len({row for row, _ in wrong})),)
+        wrong = ()
     status: Status = "error" if errors(found) else "equal" if share >= 1 else "different"
     verdict = Verdict(status, diagnostics=found[:MOST_REMARKS])
     parts, marks = parted(exercise, dict.fromkeys(_SHARES, share if status != "error" else 0.0))
-    return Judgement(exercise, answer, None, verdict, marks, parts, says, wrong, tuple(map(tuple, grid)))
+    return Judgement(exercise, answer, None, verdict, marks, parts, says, wrong, signs)

@@ -24,6 +24,7 @@ RIGHT, WRONG, MISCALLED = 0, 1, 2
 def new_verb(options: argparse.Namespace) -> int:
     """Write an exercise file from a drawing or a list."""
     from plcteach.check.drilling.draft import draft
+    from plcteach.check.proving import sound
     from plcteach.cli.drafts import toml
 
     text, family = text_of(options.file, options), family_of(options)
@@ -35,7 +36,7 @@ def new_verb(options: argparse.Namespace) -> int:
         msg = f"{path} is there already; --force writes over it"
         raise CallError(msg)
     stem = path.stem if path else Path(options.file).stem if options.file != "-" else "mine"
-    written = toml(draft(text, family, options.kind, re.sub(r"\s+", "-", stem)))
+    written = toml(sound(draft(text, family, options.kind, re.sub(r"\s+", "-", stem))))
     if path is None:
         print(written, end="")
     else:

@@ -17,7 +17,7 @@ from plcteach.dialects import dialect as find_dialect
 from plcteach.stl import read
 from plcteach.widgets.answered import Hints, marks_of, verdict_of
 from plcteach.widgets.bench import as_json
-from plcteach.widgets.keeping import Notes, Record, hinted, modelled, tried, typed
+from plcteach.widgets.keeping import Notes, Record, aside, hinted, modelled, tried, typed
 from plcteach.widgets.material import sheet_of, still_of, task_of
 from plcteach.widgets.replay import Replay, given_run, wrong_run
 from plcteach.widgets.show import Shown, module, styles
@@ -33,9 +33,10 @@ _GAP = "____"
 class ExerciseDesk(Shown):
     """Work on one exercise: answer, check, see what differs and on which step.
 
-    exercise: its id, a teacher's own file, or the exercise itself.  text: what stands in it at first, instead of the exercise's own start; what was
-    typed before into the same start comes back.  The last judgement stands in `judgement`.  feedback: of a grid, "each" row or
-    "final" only.  The other traits are JSON for the page; nothing of a hidden exercise's reference is in any of them.
+    exercise: its id, a teacher's own file, or the exercise itself.  text: what stands in it at first, instead of the exercise's own
+    start; what was typed before into the same start comes back, and what was typed into another one can be put back.  The last
+    judgement stands in `judgement`.  feedback: of a grid, "each" row or "final" only.  The other traits are JSON for the page;
+    nothing of a hidden exercise's reference is in any of them.
     """
 
     _esm = module("render-desk.js")
@@ -54,7 +55,7 @@ class ExerciseDesk(Shown):
     index = traitlets.Int(0).tag(sync=True)
 
     _tells = True
-    """Whether a grid may be marked while it is filled in."""
+    """Whether a grid may be marked while it is filled in; that of a hidden exercise never is."""
 
     def __init__(self, exercise: str | Path | Exercise, text: str | None = None, **values: Any) -> None:
         self._notes = Notes()
@@ -70,11 +71,10 @@ class ExerciseDesk(Shown):
         self.judgement: Judgement | None = None
         self._hints = Hints(exercise)
         self._start = self._sheet.start if text is None else text
-        record = self._record()
-        self._known = record.text
+        self._known = self._record().begun_with(self._start)
         with self.hold_sync():
             self.task = json.dumps(task_of(exercise, self._sheet), ensure_ascii=False)
-            self.source = record.text if record.text is not None and record.start == self._start else self._start
+            self.source = self._start if self._known is None else self._known
             self.verdict = self.film = self.beside = self.model = ""
             self._say_hints()
             self._say_kept()
@@ -94,14 +94,13 @@ class ExerciseDesk(Shown):
             return
         self._write()
         self._known = self.source
-        if self._notes.trouble:
-            self._say_kept()
+        self._say_kept()
 
     def _write(self) -> None:
         self._notes.change(self._exercise.id, typed(self.source, self._start, self._known))
 
     def _answer(self) -> None:
-        """Tell the page what is found in the text as it is typed; of a grid, which rows are right, if that is wanted."""
+        """Tell the page what is found in the text as it is typed; of a grid that is not hidden, which rows are right."""
         found = lint(read(self.source, self._dialect)) if self._sheet.form == "list" else ()
         gaps = {number for number, row in enumerate(self.source.split("\n"), 1) if _GAP in row}
         report = {
@@ -110,9 +109,8 @@ class ExerciseDesk(Shown):
             "ok": not errors(found),
             "dialect": {"title": self._dialect.title.as_dict()},
         }
-        if self._sheet.form == "grid" and self.feedback == "each" and self._tells:
-            with discreet(self._exercise):
-                report["marks"] = marks_of(self._exercise, self.source)
+        if self._sheet.form == "grid" and self.feedback == "each" and self._tells and not self._exercise.hidden:
+            report["marks"] = marks_of(self._exercise, self.source)
         self.report = json.dumps(report, ensure_ascii=False)
 
     def _say_hints(self) -> None:
@@ -129,6 +127,7 @@ class ExerciseDesk(Shown):
                 "best": record.best,
                 "hints": max(record.hints, len(self._hints.told)),
                 "model": record.model,
+                "earlier": sum(text != self.source for text in record.besides(self._start)),
                 "trouble": trouble.as_dict(),
             },
             ensure_ascii=False,
@@ -136,7 +135,13 @@ class ExerciseDesk(Shown):
 
     def _asked(self, _widget: object, content: dict[str, Any], _buffers: object) -> None:
         """Do what a button in the page asks."""
-        deeds = {"check": self.check, "show": self.show, "hint": self.hint, "model": self.show_model}
+        deeds = {
+            "check": self.check,
+            "show": self.show,
+            "hint": self.hint,
+            "model": self.show_model,
+            "restore": self.restore,
+        }
         deed = deeds.get(str(content.get("type")))
         if deed:
             deed()
@@ -164,6 +169,21 @@ class ExerciseDesk(Shown):
             self._say_hints()
             self._say_kept()
         return another
+
+    def restore(self) -> None:
+        """Put back a text that was typed before and is not shown, once more the next one; what stands here now is kept."""
+        self._keep()
+        others = self._record().besides(self._start)
+        if not set(others) - {self.source}:
+            return
+        at = others.index(self.source) + 1 if self.source in others else 0
+        if self.source not in {*others, self._start}:
+            self._notes.change(self._exercise.id, aside(self.source))
+        with self.hold_sync():
+            self.source = others[at % len(others)]
+            self._keep()
+            self._say_kept()
+            self._answer()
 
     def show(self) -> None:
         """Put the learner's own program into the player, where it goes wrong, and the reference's run beside it."""

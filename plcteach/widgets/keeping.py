@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 NAME = ".plcteach-progress.json"
 ASKED = "PLCTEACH_PROGRESS"
 _VERSION = 1
-_MOST_EARLIER = 5
+_MOST_EARLIER = 20
 _MOST_NUMBER = 1e9
 _PATIENCE, _STALE, _NAP = 2.0, 10.0, 0.02
 
@@ -50,6 +50,8 @@ class Record:
     """What is known of one exercise; a text is None until something was typed.
 
     best: the highest marks, None before the first attempt.  model: the model answer was looked at, and later marks do not count.
+    start: what the text was begun with.  others: texts begun with something else, (start, text).  earlier: texts that another
+    took the place of.
     """
 
     attempts: int = 0
@@ -59,6 +61,19 @@ class Record:
     text: str | None = None
     start: str = ""
     model: bool = False
+    others: tuple[tuple[str, str], ...] = ()
+    earlier: tuple[str, ...] = ()
+
+    def begun_with(self, start: str) -> str | None:
+        """Give the text that was typed into a start; None where nothing was."""
+        whole = (*(() if self.text is None else ((self.start, self.text),)), *self.others)
+        return next((text for one, text in whole if one == start), None)
+
+    def besides(self, start: str) -> tuple[str, ...]:
+        """Give every other text that is kept, each once and in an order that stays while one goes through them."""
+        now = () if self.text is None or self.start == start else (self.text,)
+        whole = (*now, *(text for one, text in self.others if one != start), *self.earlier)
+        return tuple(dict.fromkeys(text for text in whole if text.strip()))
 
 
 @dataclass(slots=True)
@@ -130,16 +145,46 @@ class Notes:
 
 
 def typed(text: str, start: str, known: str | None) -> Callable[[Table], None]:
-    """Keep a text as typed; one that somebody else has put there meanwhile (it is not `known`) is kept among the earlier ones."""
+    """Keep a text as typed; what it takes the place of is kept beside it, unless it has grown out of it.
+
+    A text with another start waits for a desk with that start.  One that somebody else has put there meanwhile (it is not `known`)
+    is kept among the earlier ones, and so is what stood there when a learner starts over.
+    """
 
     def change(row: Table) -> None:
-        old = row.get("text")
-        if isinstance(old, str) and old.strip() and old not in (known, text):
-            before = row.get("earlier")
-            row["earlier"] = [old, *(before if isinstance(before, list) else [])][:_MOST_EARLIER]
+        old = _turned(row, start)
+        over = text.strip() in {"", start.strip()} and old != start
+        if old != text and (over or old != known):
+            aside(old)(row)
         row |= {"text": text, "start": start}
 
     return change
+
+
+def aside(text: str) -> Callable[[Table], None]:
+    """Keep a text among the earlier ones, as the newest of them."""
+
+    def change(row: Table) -> None:
+        before = _record(row).earlier
+        if text.strip() and text not in before:
+            row["earlier"] = [text, *before][:_MOST_EARLIER]
+
+    return change
+
+
+def _turned(row: Table, start: str) -> str:
+    """Give the text that is kept for a start, and put one with another start among the others."""
+    now = _record(row)
+    mine = now.begun_with(start) or ""
+    if now.text is None or now.start == start:
+        return mine
+    others = [one for one in now.others if one[0] not in (start, now.start)]
+    if now.text.strip() and now.text != now.start:
+        others.insert(0, (now.start, now.text))
+    for _, old in others[_MOST_EARLIER:]:
+        aside(old)(row)
+    row["others"] = [{"start": one, "text": text} for one, text in others[:_MOST_EARLIER]]
+    return mine
 
 
 def tried(marks: float, points: float) -> Callable[[Table], None]:
@@ -181,7 +226,20 @@ def _record(row: object) -> Record:
         text=text if isinstance(text, str) else None,
         start=start if isinstance(start, str) else "",
         model=row.get("model") is True,
+        others=tuple(_others(row.get("others"))),
+        earlier=tuple(one for one in _listed(row.get("earlier")) if isinstance(one, str)),
     )
+
+
+def _others(rows: object) -> Iterator[tuple[str, str]]:
+    for one in _listed(rows):
+        start, text = (one.get("start"), one.get("text")) if isinstance(one, dict) else (None, None)
+        if isinstance(start, str) and isinstance(text, str):
+            yield start, text
+
+
+def _listed(value: object) -> list[Any]:
+    return value if isinstance(value, list) else []
 
 
 def _number(value: object) -> float:

@@ -52,6 +52,7 @@ def task_of(exercise: Exercise, sheet: Sheet) -> dict[str, Any]:
         "row": exercise.row,
         "start": sheet.start,
         "model": sheet.form != "list" and not exercise.hidden,
+        "tells": not exercise.hidden,
         **given,
     }
 

@@ -341,12 +341,46 @@ def chart(**fields: Any) -> Exercise:
         ("Q0.0 0111", 2.67),
         ("Q0.0 0111001", 4),
         ("Q0.0 ......", 0),
+        ("Q0.0 000000", 0),  # three of six are right, and nothing is said of when it is on
+        ("Q0.0 111111", 0),
+        ("Q0.0 .111..", 0),
         ("Q0.1 011100", 0),
         ("", 0),
     ],
 )
 def test_a_seal_in_circuit_scan_by_scan(answer: str, marks: float) -> None:
     assert judge(chart(), answer).marks == pytest.approx(marks, abs=0.01)
+
+
+def test_a_row_that_never_changes_earns_only_where_the_right_one_does_not_change() -> None:
+    """Q0.0 is on in the first scan, Q0.1 never: of six cells five are 0, and three of them stand in a row that stays."""
+    one = chart(given="LD I0.0\n= Q0.0\nA I0.1\n= Q0.1\n", scans=({"I0.0": 1}, {"I0.0": 0}, {}))
+    assert judge(one, "Q0.0 000\nQ0.1 000\n").marks == 2
+    assert judge(one, "Q0.0 100\nQ0.1 000\n").marks == 4
+    assert judge(one, "Q0.0 100\nQ0.1 010\n").marks == pytest.approx(4 * 5 / 6, abs=0.01)
+    assert judge(one, "Q0.0 111\nQ0.1 111\n").marks == 0
+    late = "Q0.0 000000"
+    assert judge("s7-late-lamp", late).marks == 0
+    assert judge("s7-late-lamp", late.replace("000000", "011001")).marks == 2
+
+
+@pytest.mark.parametrize("lamp", ["000000", "111111", "010000", "011101"])
+def test_of_a_hidden_chart_no_scan_is_named(lamp: str) -> None:
+    judged = judge(chart(hidden=True), f"Q0.0 {lamp}")
+    assert (judged.wrong, len(judged.says)) == ((), 1)
+    assert judged.says[0] == Text("全对的行：0/1。", "Rows that are right throughout: 0 of 1.")
+    assert judged.marks == judge(chart(), f"Q0.0 {lamp}").marks
+    assert "≠" not in report_html(judged, "en")
+    assert verdict_json(judged)["wrong"] == []
+
+
+def test_of_a_hidden_prediction_only_the_rows_are_counted() -> None:
+    one = predict(hidden=True)
+    turned = [judge(one, BY_HAND.replace("1 1 0", other)) for other in ("0 1 0", "1 0 0", "1 1 1")]
+    assert [(each.marks, each.wrong) for each in turned] == [(3.75, ())] * 3
+    assert {headline(each).en for each in turned} == {"3.75 of 4. Rows that are right throughout: 8 of 9."}
+    assert {headline(each).zh for each in turned} == {"3.75/4分。全对的行：8/9。"}
+    assert judge(one, BY_HAND).marks == 4
 
 
 def test_the_first_scan_that_is_not_so_is_named_with_its_inputs() -> None:

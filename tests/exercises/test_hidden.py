@@ -15,11 +15,14 @@ import pytest
 from plcteach import explain
 from plcteach.check.hints import hints
 from plcteach.check.judge import judge, model, reference, shown
-from plcteach.check.report import headline
+from plcteach.check.kinds import KINDS
+from plcteach.check.report import headline, report_html, verdict_json
 from plcteach.check.score import grade
 from plcteach.cli import main
 from plcteach.core.errors import DeclarationError, PlcTeachError, UnknownNameError
+from plcteach.core.exercise import KINDS as NAMES
 from plcteach.core.exercise import Exercise
+from plcteach.core.text import Text
 from plcteach.exercises import exercise, folder, ids, load
 from plcteach.figure.ladder import ladder_scene
 from plcteach.figure.svg import svg
@@ -340,6 +343,188 @@ def _frames(tb):
         if "test_hidden" not in tb.tb_frame.f_code.co_filename:
             yield tb.tb_frame
         tb = tb.tb_next
+
+
+# Every kind.
+
+WORDS = Text("考试", "Examination")
+REFERENCE = "// watermark\n" + HIDDEN.split('"""')[1].split("watermark-4711")[1]
+FULL = "// watermark\nLD I0.0\nO M27.1\nAN I0.6\n= M27.1\nAN I0.7\n= Q0.5\n"
+GAPS = "LD I0.0\n____\nAN I0.6\n____\nAN I0.7\n= Q0.5\n"
+FAULT = "LD I0.0\nAN I0.6\n= M0.0\nAN I0.7\n= Q0.5\n"
+BLOCKS = "LD I0.0\nO I0.2\nLD I0.1\nA I0.4\nLD I0.3\nA I0.5\nOLD\nALD\n= Q0.0\n"
+CHOICES = (
+    "--[ I0.0 ]--[ I0.1 ]--( Q0.0 )",
+    "--[ I0.0 ]--+--( Q0.0 )\n--[ I0.1 ]--+",
+    "--[ I0.0 ]--[/I0.1 ]--( Q0.0 )",
+)
+LATE = "LD M0.0\n= Q0.0\nLD I0.0\n= M0.0\nNOT\n= Q0.1\n"
+ON = tuple({"I0.0": one} for one in (0, 1, 1, 0, 0, 1))
+
+
+def secret(kind: str, **fields) -> Exercise:
+    values = {"dialect": "s7-200", "reference": REFERENCE, "right": (FULL,), **fields}
+    return Exercise("secret", title=WORDS, task=WORDS, kind=kind, hidden=True, **values)
+
+
+EVERY = {
+    "write": secret("write"),
+    "complete": secret("complete", start=GAPS),
+    "bug": secret("bug", start=FAULT),
+    "translate": secret("translate", source="fx", given="LD X0\nOR Y5\nANI X6\nANI X7\nOUT Y5\n"),
+    "order": secret("order", distractors=("O I0.6",)),
+    "predict": secret("predict", reference="", given=BLOCKS, scans=({"I0.0": 1, "I0.3": 1, "I0.5": 1},), levels=3),
+    "join": secret("join", reference="", given=BLOCKS, row=8),
+    "match": secret("match", reference="", given="LD I0.0\nAN I0.1\n= Q0.0\n", choices=CHOICES),
+    "chart": secret("chart", reference="", given=LATE, scans=ON),
+}
+TOLD = {
+    "write": list(ANSWERS.values()),
+    "complete": [
+        "",
+        GAPS,
+        GAPS.replace("____", "O M0.0", 1).replace("____", "= M0.1"),
+        GAPS.replace("____", "NOT"),
+        FAULT,
+    ],
+    "bug": ["", FAULT, FAULT.replace("AN I0.7", "O M0.0\nAN I0.7"), FAULT.replace("LD I0.0", "LD I0.0\nO M0.1")],
+    "translate": ["", FAULT, FAULT.replace("LD I0.0", "LD I0.0\nO I0.1"), "LD X0"],
+    "order": ["", "LD I0.0\n= Q0.5\n", "LD I0.0\nAN I0.6\n= Q0.5\n", "LD I0.0\nO I0.6\nAN I0.7\n= Q0.5\n", "LD I1.0"],
+    "predict": ["", ". . .\n" * 9, "0 0 0\n" * 9, "1 1 1\n" * 9, "1 . .\n1 . .\n1 1 .\n", "2 2"],
+    "join": ["", "1-2 3-4", "3-4 5-6", "7 8", "all"],
+    "match": ["", "A", "B", "D", "A B"],
+    "chart": ["", "Q0.0 000000", "Q0.0 111111\nQ0.1 111111", "Q0.0 011001\nQ0.1 001100", "Q0.0 0\nQ0.1 ??????"],
+}
+"""Answers none of which is right and none of which holds a whole row of the right one that it would not be told by itself."""
+
+
+def held_back(kind: str) -> list[str]:
+    """Give what nobody may read: marks of the reference and of the samples, or the rows of the answer as they are written."""
+    if kind in {"write", "complete", "bug", "translate"}:
+        return ["watermark", "M29.5", "M27.1"]
+    if kind == "order":
+        return [
+            "watermark",
+            "M29.5",
+            "LD I0.0\nO M27.1",
+            '"LD I0.0", "O M27.1"',
+            "O M27.1\nAN I0.6",
+            '"O M27.1", "AN I0.6"',
+        ]
+    if kind == "predict":  # by hand: A = 1, B = 0, C = 1
+        return ["0 1 .", "1 0 1", "1 1 .", "≠"]
+    return {"join": ["1-2 3-7", "3-7"], "match": ['"C"\n', "C."], "chart": ["00110", "001100", "10011", "≠"]}[kind]
+
+
+def all_told(task: Exercise, answer: str) -> list[object]:
+    """Gather everything that an answer brings forth, in both languages, but for the answer itself."""
+    judged, score = judge(task, answer), grade(task, answer)
+    said: list[object] = [repr(task), repr(shown(task)), repr(judged), repr(judged.verdict), verdict_json(judged)]
+    said += [
+        headline(judged).as_dict(),
+        report_html(judged, "zh"),
+        report_html(judged, "en"),
+        score._repr_html_(),
+        repr(score),
+    ]
+    said += [one.as_dict() for one in (*hints(judged), *judged.says)]
+    for name, points, check in score.cases():
+        said.append((name, points))
+        try:
+            check()
+        except AssertionError as error:
+            said.append(str(error))
+    try:
+        score.assert_correct()
+    except AssertionError as error:
+        said.append(str(error))
+    return [*said, list(judged.wrong)]
+
+
+def desk_told(task: Exercise, answer: str, *deeds: str) -> dict[str, object]:
+    """Give what a desk has told when an answer has been typed, cell by cell, and some buttons have been pressed."""
+    Path(".plcteach-progress.json").unlink(missing_ok=True)
+    desk = ExerciseDesk(task)
+    for end in range(len(answer) + 1):
+        if end == len(answer) or not end % 7:
+            desk.source = answer[:end]
+            desk.serial += 1
+    for deed in deeds:
+        desk._asked(desk, {"type": deed}, None)
+    state = {
+        name: value for name, value in desk.get_state().items() if name not in {"_esm", "_css", "layout", "source"}
+    }
+    return {**state, "page": desk._repr_mimebundle_()[0]["text/html"], "repr": repr(desk)}
+
+
+BUTTONS = ("model", "check", "show", "hint", "hint", "hint", "hint", "hint", "model", "restore", "check")
+
+
+def test_every_kind_is_gone_over() -> None:
+    assert tuple(EVERY) == tuple(TOLD) == NAMES
+    assert model(EVERY["predict"]) == STACK
+    for kind, task in EVERY.items():
+        assert judge(task, model(task)).marks == 4, kind
+        assert all(judge(task, answer).marks < 4 for answer in TOLD[kind] if kind != "write"), kind
+
+
+@pytest.mark.parametrize("lang", ["zh", "en"])
+@pytest.mark.parametrize("kind", NAMES)
+def test_no_kind_tells_its_answer_before_or_after_an_attempt(kind: str, lang: str, monkeypatch) -> None:
+    monkeypatch.setenv("PLCTEACH_LANG", lang)
+    for answer in TOLD[kind]:
+        told = [
+            *all_told(EVERY[kind], answer),
+            desk_told(EVERY[kind], answer),
+            desk_told(EVERY[kind], answer, *BUTTONS),
+        ]
+        for one in told:
+            plain = told_of(one)
+            found = [each for each in held_back(kind) if each in plain and each not in answer]
+            assert not found, (answer, found, plain)
+
+
+STACK = "1 . .\n1 . .\n0 1 .\n0 1 .\n1 0 1\n1 0 1\n1 1 .\n1 . .\n1 . .\n"
+ALIKE = {
+    "predict": [f"{STACK[:at]}{1 - int(sign)}{STACK[at + 1 :]}" for at, sign in enumerate(STACK) if sign in "01"],
+    "chart": [f"Q0.0 {one}\nQ0.1 100110\n" for one in ("101100", "011100", "000100", "001000", "001110", "001101")],
+}
+"""Answers that are wrong in one cell each, every one in another."""
+
+
+def told_but_for_the_count(told: dict[str, object]) -> str:
+    return re.sub(r'\\*"(?:serial|source|earlier)\\*": \d+', "", json.dumps(told, ensure_ascii=False))
+
+
+@pytest.mark.parametrize("kind", ALIKE)
+def test_where_a_hidden_grid_is_wrong_makes_no_difference_to_what_is_told(kind: str) -> None:
+    task = EVERY[kind]
+    begun = [desk_told(task, answer) for answer in [*ALIKE[kind], *TOLD[kind], model(task)]]
+    assert len({told_but_for_the_count(one) for one in begun}) == 1
+    assert all("marks" not in json.loads(str(one["report"])) for one in begun)
+    same = ALIKE[kind]
+    assert len({judge(task, answer).marks for answer in same}) == 1
+    told = [json.dumps(all_told(task, answer), ensure_ascii=False) for answer in same]
+    assert set(told) == {told[0]}
+    desks = [desk_told(task, answer, *BUTTONS) for answer in same]
+    assert len({told_but_for_the_count(one) for one in desks}) == 1
+
+
+@pytest.mark.parametrize("way", ["judged", "shown", "model"])
+@pytest.mark.parametrize("kind", NAMES)
+def test_no_kind_tells_of_what_goes_wrong_inside_it(kind: str, way: str, monkeypatch) -> None:
+    def failing(*_: object) -> None:
+        raise ZeroDivisionError("inside " + model_answer)
+
+    model_answer = model(EVERY[kind])
+    monkeypatch.setattr(KINDS[kind], way, failing)
+    with pytest.raises(PlcTeachError, match=r"has an error itself|自己有错误") as caught:
+        {"judged": judge, "shown": lambda task, _: shown(task), "model": lambda task, _: model(task)}[way](
+            EVERY[kind], "x"
+        )
+    assert "inside" not in str(caught.value)
+    assert caught.value.__suppress_context__
+    assert caught.value.__cause__ is None
 
 
 def test_the_repr_of_an_exercise_is_short() -> None:

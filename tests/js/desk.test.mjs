@@ -62,6 +62,8 @@ test("a cell goes through its signs with every press, and keys write or move", (
 test("a verdict marks every row of a grid, unless the answer could not be read", () => {
   assert.deepEqual(marksOfVerdict({ status: "different", wrong: [[1, 0]] }, 3), { rows: ["right", "wrong", "right"], cells: [[1, 0]] });
   assert.deepEqual(marksOfVerdict({ status: "error" }, 3), {});
+  assert.deepEqual(marksOfVerdict({ status: "equal", wrong: [] }, 2), { rows: ["right", "right"], cells: [] });
+  assert.deepEqual(marksOfVerdict({ status: "different", wrong: [] }, 2), {}, "of a hidden task no row is called right");
 });
 
 test("two blocks are four ends, chosen one after the other in any direction", () => {

@@ -83,7 +83,7 @@ def test_every_kind_opens_is_wrong_at_first_and_right_with_its_model(kind: str, 
     verdict = said(desk, "verdict")
     assert (verdict["status"], verdict["marks"]) == ("equal", verdict["max"])
     assert said(desk, "kept") == {
-        "attempts": 2, "best": verdict["max"], "hints": 0, "model": False, "trouble": {"zh": "", "en": ""},
+        "attempts": 2, "best": verdict["max"], "hints": 0, "model": False, "earlier": 0, "trouble": {"zh": "", "en": ""},
     }  # fmt: skip
 
 
@@ -275,6 +275,23 @@ def test_of_a_hidden_exercise_the_reference_is_shown_nowhere(*, drawn: bool) -> 
     assert "film" not in said(desk, "beside")
     assert said(desk, "film")["lines"]
     assert said(desk, "task")["ladders"] == []
+
+
+@pytest.mark.parametrize("feedback", ["each", "final", "rows", ""])
+@pytest.mark.parametrize("kind", ["predict", "chart"])
+def test_a_hidden_grid_is_not_marked_while_it_is_filled_in_whatever_the_page_asks(kind: str, feedback: str) -> None:
+    """The right cells are 1, 0, 0 of the prediction and 0, 1, 0 of the chart; each row is all wrong here."""
+    scans = ({"I0.0": 1, "I0.1": 0},) if kind == "predict" else ({}, {"I0.0": 1, "I0.1": 1}, {"I0.0": 0})
+    desk = ExerciseDesk(replace(PREDICT, kind=kind, scans=scans, hidden=True))
+    desk.feedback = feedback
+    reports = [
+        types(desk, text)
+        for text in (("0 .\n1 .\n1 .\n", model(PREDICT)) if kind == "predict" else ("Q0.0 101", "Q0.0 010"))
+    ]
+    assert [{**one, "source": 0} for one in reports] == [{**reports[0], "source": 0}] * 2
+    assert "marks" not in reports[0]
+    assert said(desk, "task")["tells"] is False
+    assert said(ExerciseDesk(PREDICT), "task")["tells"] is True
 
 
 def test_trouble_with_a_hidden_exercise_tells_nothing_of_it() -> None:

@@ -65,6 +65,67 @@ def test_a_text_that_the_lesson_gives_counts_until_it_has_been_worked_on() -> No
     assert ExerciseDesk(TASK).source == ""
 
 
+FULL = "LD I0.0\n= Q0.0 // full marks\n"
+
+
+def others(desk: ExerciseDesk) -> int:
+    return json.loads(desk.kept)["earlier"]
+
+
+def restores(desk: ExerciseDesk) -> str:
+    desk._handle_custom_msg({"type": "restore"}, [])
+    return desk.source
+
+
+def test_a_text_typed_into_another_start_waits_for_it_and_can_be_put_back(kept: Path) -> None:
+    types(ExerciseDesk(TASK), FULL)
+    lesson = ExerciseDesk(TASK, "LD I0.5\n")
+    assert (lesson.source, others(lesson)) == ("LD I0.5\n", 1)
+    types(lesson, "LD I0.5\nA I0.6\n")
+    types(lesson, "LD I0.5\nA I0.6\n= Q0.0\n")
+    assert FULL in kept.read_text(encoding="utf-8").encode().decode("unicode_escape")
+    assert ExerciseDesk(TASK).source == FULL
+    assert others(lesson) == 1
+    assert restores(lesson) == FULL
+    assert ExerciseDesk(TASK, "LD I0.5\n").source == FULL
+    assert restores(lesson) == "LD I0.5\nA I0.6\n= Q0.0\n", "what stood there is not lost by it"
+    assert restores(lesson) == FULL
+
+
+def test_after_an_update_with_another_start_the_answer_can_be_put_back() -> None:
+    begun = Exercise("mine", "s7-200", Text("题", "t"), Text("写", "write"), TASK.reference, start="LD I0.0\n____\n")
+    types(ExerciseDesk(begun), FULL)
+    new = ExerciseDesk(Exercise("mine", "s7-200", begun.title, begun.task, begun.reference, start="____\n= Q0.0\n"))
+    assert (new.source, others(new)) == ("____\n= Q0.0\n", 1)
+    assert restores(new) == FULL
+    assert ExerciseDesk(begun).source == FULL
+
+
+def test_what_stood_there_before_starting_over_can_be_put_back() -> None:
+    for over in ("", " \n", "LD I0.0\n"):
+        desk = ExerciseDesk(TASK, "LD I0.0\n")
+        types(desk, FULL)
+        types(desk, over)
+        types(desk, "LD I0.1")
+        assert restores(ExerciseDesk(TASK, "LD I0.0\n")) == FULL
+
+
+def test_going_through_what_is_kept_comes_by_every_text_and_loses_none() -> None:
+    texts = [f"LD I0.{number}\n= Q0.0\n" for number in range(6)]
+    for number, text in enumerate(texts):
+        types(ExerciseDesk(TASK, f"// lesson {number}\n"), text)
+    types(ExerciseDesk(TASK), "LD I1.0")
+    types(ExerciseDesk(TASK), "LD I1.1")
+    desk = ExerciseDesk(TASK)
+    for _ in range(2):
+        assert {restores(desk) for _ in range(7)} >= set(texts)
+    types(desk, "LD I1.2")
+    assert {restores(desk) for _ in range(8)} >= {*texts, "LD I1.1", "LD I1.2"}
+    for number, text in enumerate(texts):
+        assert ExerciseDesk(TASK, f"// lesson {number}\n").source == text
+    assert restores(ExerciseDesk(Exercise("new", "s7-200", TASK.title, TASK.task, TASK.reference))) == ""
+
+
 def test_the_best_mark_stays_when_a_later_answer_is_worse(kept: Path) -> None:
     desk = ExerciseDesk(TASK)
     for text in (RIGHT, "LD I0.1\n= Q0.0\n"):
@@ -119,7 +180,15 @@ def test_a_file_that_cannot_be_read_is_put_aside_and_told(kept: Path, broken: st
     assert rows(kept)["mine"]["text"] == RIGHT
 
 
-@pytest.mark.parametrize("row", ["7", "[]", '{"attempts": "many", "best": -3, "hints": true, "text": 5, "earlier": 3}'])
+@pytest.mark.parametrize(
+    "row",
+    [
+        "7",
+        "[]",
+        '{"attempts": "many", "best": -3, "hints": true, "text": 5, "earlier": 3}',
+        '{"earlier": [3, null, {}], "others": [3, {"start": 1, "text": "x"}, {"text": "y"}], "text": "LD I0.3", "start": "x"}',
+    ],
+)
 def test_a_row_that_holds_anything_does_no_harm(kept: Path, row: str) -> None:
     kept.write_text(
         f'{{"plcteach": 1, "exercises": {{"mine": {row}, "other": {{"text": "LD I0.5"}}}}}}', encoding="utf-8"

@@ -13,6 +13,8 @@ from plcteach.core.text import NOTHING, Text
 from plcteach.machine.scan import run
 
 if TYPE_CHECKING:
+    from collections.abc import Iterable, Sequence
+
     from plcteach.core.diagnostic import Diagnostic
     from plcteach.core.exercise import Exercise
     from plcteach.core.program import Program
@@ -44,7 +46,10 @@ def shown(exercise: Exercise) -> Sheet:
 
 
 def judged(exercise: Exercise, answer: str | bytes) -> Judgement:
-    """Count the scans that are right, and name the first that is not."""
+    """Count the scans that are right, and name the first that is not.
+
+    A row that never changes earns nothing where the right one changes: it says nothing of when the output is on.
+    """
     text = text_of(answer)
     program = looked_at(exercise)
     outputs = asked(exercise, program)
@@ -61,7 +66,7 @@ def judged(exercise: Exercise, answer: str | bytes) -> Judgement:
         for scan, (one, other) in enumerate(zip(trace[address], given[address], strict=True))
         if one != other
     )
-    share = 1 - len(wrong) / (len(outputs) * len(exercise.scans))
+    share = _share([(trace[address], given[address]) for address in outputs])
     return graded(
         exercise, text, share, found=found, says=_says(trace, outputs, wrong), wrong=wrong, grid=given.values()
     )
@@ -113,6 +118,17 @@ def _signs(rest: str, address: str, count: int, number: int) -> tuple[str, list[
     if len(words) != count:
         found.append(rule("KND009").at(Span(number), address=address, got=len(words), wanted=count))
     return "".join(_SIGNS.get(one, UNREAD) for one in words[:count]).ljust(count, EMPTY), found
+
+
+def _share(pairs: list[tuple[Sequence[str], str]]) -> float:
+    """Give the share of all scans that are right, in rows that change where the right row changes."""
+    counted = [pair for pair in pairs if _changes(pair[1]) or not _changes(pair[0])]
+    right = sum(one == other for pair in counted for one, other in zip(*pair, strict=True))
+    return right / sum(len(wanted) for wanted, _ in pairs)
+
+
+def _changes(row: Iterable[str]) -> bool:
+    return len(set(row) - {EMPTY}) > 1
 
 
 def _plain(word: str) -> str:

@@ -88,9 +88,9 @@ export function withCell(cells, row, column, sign) {
   return cells.map((one, r) => (r === row ? one.map((old, c) => (c === column ? sign : old)) : one));
 }
 
-/** Gives what a verdict tells of a grid: the rows with a wrong cell, the others, and the cells. */
+/** Gives what a verdict tells of a grid: the rows with a wrong cell, the others, and the cells; nothing where it names no cell. */
 export function marksOfVerdict({ status, wrong = [] }, rows) {
-  if (status === "error") return {};
+  if (status === "error" || (status !== "equal" && !wrong.length)) return {};
   const bad = new Set(wrong.map(([row]) => row));
   return { rows: Array.from({ length: rows }, (_, row) => (bad.has(row) ? "wrong" : "right")), cells: wrong };
 }

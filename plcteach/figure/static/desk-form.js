@@ -57,7 +57,7 @@ function redrawForm(now, form, key) {
 function formTools(now, options, history) {
   const undo = formButton("restart", () => now.undo());
   const clear = formButton(null, () => now.put(options.task.start || ""));
-  const feedback = options.task.form === "grid" && options.onFeedback ? feedbackChoice(options.onFeedback) : null;
+  const feedback = options.task.form === "grid" && options.task.tells !== false && options.onFeedback ? feedbackChoice(options.onFeedback) : null;
   const node = h("div", { className: "plc-form-tools" }, undo.node, clear.node, feedback?.node);
   now.tools = () => {
     undo.show(say(FORM_WORDS.undo, now.api.lang));

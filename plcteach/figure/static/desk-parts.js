@@ -18,6 +18,8 @@ const PART_WORDS = {
   best: { zh: "最好成绩 {} / {max}", en: "best mark {} / {max}" },
   used: { zh: "用了 {} 个提示", en: "hints used: {}" },
   seen: { zh: "看过答案", en: "answer seen" },
+  earlier: { zh: "另外还保存着 {} 份以前输入的内容", en: "Texts that you typed before and that are kept: {}" },
+  restore: { zh: "恢复以前的内容", en: "Put back what was typed before" },
   fresh: { zh: "还没有检查过", en: "not checked yet" },
   verdict: { zh: "检查结果", en: "Result of the check" },
   checking: { zh: "正在检查……", en: "Checking …" },
@@ -87,16 +89,22 @@ export function keptWords(kept, max, lang) {
   ].filter(Boolean);
 }
 
-/** Makes the line that says what is kept of a task, and what went wrong with the file. */
-export function keptPart() {
+/** Makes the line that says what is kept of a task, what went wrong with the file, and the way back to a text typed before. */
+export function keptPart(onRestore) {
   const node = h("p", { className: "plc-kept" });
   const trouble = h("p", { className: "plc-late", role: "status" });
+  const words = h("span", {});
+  const back = wordButton("restart", onRestore);
+  const earlier = h("div", { className: "plc-draft", role: "region", hidden: true }, words, back);
   const show = (kept, task, lang) => {
     node.replaceChildren(...keptWords(kept, task.max, lang).map((words) => h("span", {}, words)));
     trouble.textContent = say(kept.trouble, lang);
     trouble.hidden = !trouble.textContent;
+    earlier.hidden = !(kept.earlier > 0);
+    earlier.setAttribute("aria-label", words.textContent = say(PART_WORDS.earlier, lang).replace("{}", kept.earlier || 0));
+    renameButton(back, say(PART_WORDS.restore, lang));
   };
-  return { node, trouble, show };
+  return { node, trouble, earlier, show };
 }
 
 /** Makes the place of the verdict; it says so itself when the answer has changed since. */

@@ -43,7 +43,7 @@ function deskParts(model, tool, options) {
   talkingParts(parts, model, options);
   parts.material = taskPart();
   parts.hints = hintPart(() => parts.session.send({ type: "hint" }));
-  parts.kept = keptPart();
+  parts.kept = keptPart(() => parts.session.send({ type: "restore" }));
   parts.verdict = verdictPart(() => parts.play("show"), () => parts.play("model"));
   parts.model = modelPart();
   parts.show = showPart(parts.film);
@@ -62,7 +62,7 @@ function layDesk(parts, tool, options) {
   tool.node.append(
     h("div", { className: "plc-bar" }, h("div", { className: "plc-bar-names" }, parts.title, parts.list),
       h("div", { className: "plc-bar-tools" }, parts.choices.nodes)),
-    ...(options.quiet ? [] : [parts.kept.node]), parts.kept.trouble, parts.material.words, parts.drafts.node,
+    ...(options.quiet ? [] : [parts.kept.node]), parts.kept.trouble, ...(options.quiet ? [] : [parts.kept.earlier]), parts.material.words, parts.drafts.node,
     h("div", { className: "plc-work" }, parts.material.figures, parts.desk),
     ...(options.quiet ? [] : [parts.verdict.node, parts.model.node, parts.show.node]),
   );
@@ -162,7 +162,7 @@ function checkByKey(node, ask) {
 function followDesk(parts, model, resize) {
   const relabel = () => (resize(), relabelDesk(parts));
   return followTraits(model, {
-    source: () => (parts.answer.setText(model.get("source") || ""), parts.judge()),
+    source: () => (parts.answer.setText(model.get("source") || ""), parts.session.answered(), parts.judge()),
     verdict: parts.onVerdict, film: parts.onFilm, hints: parts.words, kept: parts.words, model: parts.words,
     feedback: () => parts.answer.lang(parts.lang()),
     size: resize, language: relabel,
