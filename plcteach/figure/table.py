@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -9,6 +10,7 @@ from plcteach.core.effect import Both, Name, Not
 from plcteach.core.text import Text, same
 from plcteach.figure.scene import Box, Scene, Stroke, Words, extent, extent_of
 from plcteach.figure.strip import Level, level_name, levels_used
+from plcteach.machine.course import Mixed
 from plcteach.machine.formula import spelled
 from plcteach.machine.scan import Domain, Memory, run, sweep
 from plcteach.machine.signals import Column
@@ -88,7 +90,8 @@ def telling_inputs(program: Program) -> dict[str, int]:
         for case in range(cases):
             highs[case] += one.after[0][0].at(case) == "1" if one.after[0] else 0
 
-    sweep(program, Memory(), bits, Domain(Column(full, 0), Column(0, full), Column(full, full)), watch)
+    with suppress(Mixed):  # where the cases part at a jump back, what was seen so far decides
+        sweep(program, Memory(), bits, Domain(Column(full, 0), Column(0, full), Column(full, full)), watch)
     best = max(range(cases), key=lambda case: (scores[case], min(highs[case], steps - highs[case]), -case))
     return {name: rest[name] if name in rest else best >> tried.index(name) & 1 for name in names}
 

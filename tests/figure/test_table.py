@@ -110,3 +110,9 @@ def test_the_chosen_inputs_show_the_most_confusions_that_one_case_can():
 def test_many_inputs_do_not_take_for_ever():
     text = "LD I0.0; " + "; ".join(f"A I{n // 8}.{n % 8}" for n in range(1, 40)) + "; = Q0.0"
     assert len(telling_inputs(read(text, "s7-200"))) == 40
+
+
+def test_inputs_are_chosen_though_some_of_the_cases_jump_back():
+    looping = "LBL 1; LD I0.0; A I0.1; = M0.0; LD SM0.0; INCW VW0; LDW< VW0, 5; A I0.2; JMP 1; LD M0.0; = Q0.0"
+    assert telling_inputs(read(looping, "s7-200")).keys() == {"I0.0", "I0.1", "I0.2"}
+    assert sheet(read(looping, "s7-200"), key=True)

@@ -7,7 +7,6 @@ from string import ascii_uppercase
 from typing import TYPE_CHECKING
 
 from plcteach.check.against import verdict_on
-from plcteach.check.drilling.courses import first_inputs
 from plcteach.check.drilling.slips import joins, slips
 from plcteach.check.drilling.told import TITLES, task
 from plcteach.check.kinds import KINDS
@@ -15,6 +14,7 @@ from plcteach.check.lint import lint
 from plcteach.core.errors import NotRepresentableError, PlcTeachError
 from plcteach.core.exercise import WrongSample
 from plcteach.core.text import Text, language
+from plcteach.figure.table import telling_inputs
 from plcteach.ladder.lift import lift
 from plcteach.ladder.picture import write_drawing
 from plcteach.stl import read
@@ -35,7 +35,7 @@ _OTHER = Text("这是另一个答案。", "This is another answer.")
 
 def predict(plain: Exercise, program: Program, dice: Dice) -> Exercise:
     """Ask what is on the stack after each instruction of one scan."""
-    inputs = first_inputs(program)
+    inputs = telling_inputs(program)
     scan = {address: value if dice.falls(0.6) else dice.number(0, 1) for address, value in inputs.items()}
     made = replace(
         plain, kind="predict", task=task("predict", program.dialect), given=program.source, scans=(scan,),

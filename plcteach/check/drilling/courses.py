@@ -8,7 +8,6 @@ from plcteach.core.errors import PlcTeachError
 from plcteach.core.text import Text, language
 from plcteach.figure.table import telling_inputs
 from plcteach.machine import run
-from plcteach.machine.course import Mixed
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -28,7 +27,7 @@ Scans = tuple[dict[str, int], ...]
 def course(program: Program, dice: Dice) -> Scans:
     """Give scans in which as many outputs as can be found are on as well as off; with times only where time makes one so."""
     inputs = [one.text for one in program.addresses("input")]
-    first = first_inputs(program)
+    first = telling_inputs(program)
     best: Scans = (first, *({dice.pick(inputs): dice.number(0, 1)} if inputs else {} for _ in range(_SHORT - 1)))
     outputs = [one.text for one in program.addresses("output")]
     most = _telling(program, best, outputs)
@@ -49,14 +48,6 @@ _NO_END = Text(
     "这个程序在扫描当中停了下来，所以没有什么可问的。",
     "The program comes to a stop within a scan, so there is nothing to ask.",
 )
-
-
-def first_inputs(program: Program) -> dict[str, int]:
-    """Give the inputs that tell most; every other one is on where they cannot all be looked at together, as in a jump back."""
-    try:
-        return dict(telling_inputs(program))
-    except Mixed:
-        return {one.text: place % 2 for place, one in enumerate(program.addresses("input"))}
 
 
 def _tried(inputs: Sequence[str], dice: Dice, step: int) -> Scans:
