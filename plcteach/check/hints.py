@@ -53,7 +53,8 @@ def mended(judgement: Judgement) -> Repair | None:
         return None
 
     def accepts(text: str) -> bool:
-        return KINDS[exercise.kind].judged(exercise, text).verdict.status == "equal"
+        judged = KINDS[exercise.kind].judged(exercise, text)
+        return judged.verdict.status == "equal" and not judged.says
 
     return repair(_wanted(exercise), program, exercise.terms, verdict=judgement.verdict, accepts=accepts)
 

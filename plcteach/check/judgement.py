@@ -13,6 +13,9 @@ if TYPE_CHECKING:
     from plcteach.core.program import Program
     from plcteach.core.verdict import Verdict
 
+UNMET = "CHK006"
+"""The code of what a task asks for and an answer lacks; its words stand among the remarks already."""
+
 Form = Literal["list", "rows", "grid", "blocks", "choice"]
 """How an answer is given: a list that is written, rows to be ordered, a grid to be filled in, two blocks, one of several."""
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from typing import TYPE_CHECKING
 
+from plcteach.check.bridged import matters
 from plcteach.core.ladder import Box, Branch, Coil, Contact, symbols_of
 from plcteach.core.text import NOTHING, Text
 from plcteach.ladder.lift import lift
@@ -75,19 +76,18 @@ def _is(line: Line, words: str) -> bool:
 def _contact(need: Need, _exercise: Exercise, program: Program) -> Text:
     negated = need.value.startswith("/")
     address = need.value.lstrip("/ ").upper()
-    if any(address == one.address and negated == one.negated for one in _contacts(program, need.rung.upper())):
-        return NOTHING
+    rung = need.rung.upper()
+    for one in lift(program).ladder.rungs:
+        if any(address == each.address and negated == each.negated for each in _leading(one, rung)) and matters(
+            one, rung, Contact(address, negated), program.dialect
+        ):
+            return NOTHING
     where = _RUNG.format(rung=need.rung) if need.rung else _ANYWHERE
     return _SAYS["contact"].format(where=where, contact=_CLOSED if negated else _OPEN, value=address)
 
 
-def _contacts(program: Program, rung: str) -> Iterator[Contact]:
-    """Give the contacts on the way from the left rail to what writes `rung`; all contacts where it is empty."""
-    for one in lift(program).ladder.rungs:
-        yield from _leading(one, rung)
-
-
 def _leading(one: Rung, rung: str) -> Iterator[Contact]:
+    """Give the contacts on the way from the left rail to what writes `rung`; all contacts where it is empty."""
     stem = tuple(symbols_of(one.stem)) if one.stem else ()
     waiting: list[tuple[Out, tuple[object, ...]]] = [(out, stem) for out in one.outs]
     while waiting:

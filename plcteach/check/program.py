@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from plcteach.check.against import reference, verdict_on
 from plcteach.check.answers import drawing, text_of
-from plcteach.check.judgement import Judgement
+from plcteach.check.judgement import UNMET, Judgement
 from plcteach.check.marks import parted, shares_of
 from plcteach.check.needs import unmet
+from plcteach.core.diagnostic import rule
+from plcteach.core.source import Span
 from plcteach.core.text import Text
 from plcteach.core.verdict import Verdict
 from plcteach.stl import read, write
@@ -39,6 +42,9 @@ def judged_program(
         others = tuple(one for one in verdict.diagnostics if not one.code.startswith("CHK"))
         verdict = Verdict("error", outputs=verdict.outputs, diagnostics=(*found, *others))
     lacking = unmet(exercise, program) if verdict.status != "error" else ()
+    if lacking:
+        told = tuple(rule(UNMET).at(Span(0), need=one) for one in lacking)
+        verdict = replace(verdict, diagnostics=verdict.diagnostics + told)
     met = 1 - len(lacking) / len(exercise.needs) if exercise.needs else 1.0
     parts, marks = parted(exercise, shares_of(verdict, met), capped=bool(lacking))
     said = tuple(_MISSING.format(need=one) if verdict.status == "equal" else one for one in lacking)

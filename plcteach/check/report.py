@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, Literal
 
 from plcteach.check.chart import chart_of, held, passed
 from plcteach.check.judge import shown
+from plcteach.check.judgement import UNMET
 from plcteach.core.diagnostic import errors
 from plcteach.core.text import NOTHING, Text, joined
 from plcteach.figure.face import lasting
@@ -242,7 +243,8 @@ def report_html(judgement: Judgement, lang: str) -> str:
     if len(judgement.parts) > 1 or 0 < judgement.marks < judgement.exercise.points:
         rows.append(f"<p>{escape(_marks_by_parts(judgement).in_(lang))}</p>")
     remarks = [escape(one.in_(lang)) for one in judgement.says]
-    remarks += [_finding_html(one, lang) for one in judgement.verdict.diagnostics[:_MOST_FINDINGS]]
+    found = [one for one in judgement.verdict.diagnostics if one.code != UNMET]
+    remarks += [_finding_html(one, lang) for one in found[:_MOST_FINDINGS]]
     if remarks:
         rows.append(f"<ul>{''.join(f'<li>{one}</li>' for one in remarks)}</ul>")
     chart = chart_of(judgement.verdict)

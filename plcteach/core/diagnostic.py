@@ -607,6 +607,17 @@ _ROWS = (
         lesson=3,
     ),
     Rule(
+        "CHK006",
+        "need-unmet",
+        "warning",
+        Text("{need}", "{need}"),
+        Text(
+            "除了作用相同，题目还提出了要求，例如星形和三角形之间的互锁：定时器看起来已经够了，触点粘连时却只有互锁能防止短路。",
+            "A task may ask for more than the right behaviour, such as the interlock of star and delta: the timer seems to be enough, but where a contact has welded only the interlock keeps them apart.",
+        ),
+        lesson=8,
+    ),
+    Rule(
         "CHK004",
         "never-rests",
         "warning",

@@ -8,6 +8,7 @@ from plcteach.check.chart import chart_of
 from plcteach.check.chart_scene import chart_scene_of
 from plcteach.check.hints import hints
 from plcteach.check.judge import judge, model
+from plcteach.check.judgement import UNMET
 from plcteach.check.report import verdict_json
 from plcteach.figure.svg import svg
 
@@ -26,7 +27,7 @@ def verdict_of(judgement: Judgement) -> dict[str, Any]:
     """Give a judgement as the desk in the browser wants it: with the remarks that no editor shows, and the chart drawn."""
     typed = judgement.exercise.kind in _TYPED
     found = judgement.verdict.diagnostics
-    remarks = [one for one in found if not typed or one.code.startswith(("CHK", "KND"))]
+    remarks = [one for one in found if one.code != UNMET and (not typed or one.code.startswith(("CHK", "KND")))]
     return {
         **verdict_json(judgement),
         "remarks": [one.text.as_dict() for one in remarks[:MOST_REMARKS]],

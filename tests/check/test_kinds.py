@@ -24,6 +24,7 @@ from plcteach.core.errors import DeclarationError
 from plcteach.core.exercise import KINDS as NAMES
 from plcteach.core.exercise import Exercise, Terms
 from plcteach.core.text import Text
+from plcteach.exercises import exercise
 from plcteach.ladder.lower import lower
 from plcteach.machine import run
 from plcteach.stl import read
@@ -672,3 +673,33 @@ def test_terms_of_an_exercise_reach_the_comparison() -> None:
     assert judge(task("write", reference=wanted), other).verdict.status == "different"
     never = Terms(assume=("!(I0.0 & I0.1)",))
     assert judge(task("write", reference=wanted, terms=never), other).verdict.status == "equal"
+
+
+def test_an_interlock_that_is_absent_is_a_finding_that_a_class_can_be_counted_by() -> None:
+    """Misconception of the star-delta starter: the timer seems to be enough."""
+    star = exercise("s7-star-delta")
+    lacking = judge(star, star.right[0].replace("AN Q0.2\n", ""))
+    assert lacking.verdict.status == "equal"
+    assert lacking.marks < star.points
+    assert codes(lacking) == ["CHK006"]
+    assert [one.text.en for one in lacking.verdict.diagnostics] == [
+        "The network of star must contain the normally closed contact of delta."
+    ]
+    assert report_html(lacking, "en").count("normally closed contact of delta") == 2  # the headline and one remark
+    assert codes(judge(star, star.right[0])) == []
+
+
+@pytest.mark.parametrize(
+    ("useless", "rows"),
+    [
+        (True, "LDN Q0.2\nO Q0.2\nALD\n"),
+        (True, "LDN Q0.2\nO SM0.0\nALD\n"),
+        (False, "LDN Q0.2\nALD\n"),
+        (False, "LDN Q0.2\nA I0.7\nLDN Q0.2\nAN I0.7\nOLD\nALD\n"),
+    ],
+)
+def test_an_interlock_that_never_opens_anything_is_none(useless: bool, rows: str) -> None:  # noqa: FBT001
+    star = exercise("s7-star-delta")
+    judged = judge(star, star.right[0].replace("AN Q0.2\n", rows))
+    assert judged.verdict.status == "equal"
+    assert (codes(judged) == ["CHK006"]) == useless

@@ -102,6 +102,7 @@ def test_every_other_code_stands_in_some_other_test(code: str) -> None:
         "CHK": "check/test_same.py",
         "CHK004": "check/test_settled.py",
         "CHK005": "check/proof/test_variants.py",
+        "CHK006": "check/test_kinds.py",
         "KND": "check/test_kinds.py",
         "DRW": "ladder/test_picture.py",
         "XML": "ladder/test_plcopen.py",
