@@ -29,12 +29,10 @@ def matters(rung: Rung, output: str, contact: Contact, dialect: Dialect) -> bool
         return True
     graph = Graph()
     plain, bare = _free(rung, None), _free(rung, contact)
-    bits = {
-        _name(one): graph.variable(_name(one)) for one in symbols_of(plain) if not isinstance(one, Box | Invert | Edge)
-    }
-    for name in bits:
-        driven = dialect.specials.get(name.removeprefix(_HERE))
-        bits[name] = {"on": graph.one, "off": graph.zero}.get(driven or "", bits[name])
+    known = {"on": graph.one, "off": graph.zero}
+    names = [_name(one) for one in symbols_of(plain) if not isinstance(one, Box | Invert | Edge)]
+    driven = {name: dialect.specials.get(name.removeprefix(_HERE), "") for name in names}
+    bits = {name: known.get(what) or graph.variable(name) for name, what in driven.items()}
     bits[_INSTEAD.address] = graph.one if contact.negated else graph.zero
     try:
         as_drawn, without = meaning(plain, bits), meaning(bare, bits)
