@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import TYPE_CHECKING
 
-from plcteach.check.proof.product import product
+from plcteach.check.proof.product import driven, ordered, product
 from plcteach.check.proof.terms import spelled_out
 from plcteach.check.proof.trial import LASTING, Trial
 from plcteach.check.tried import tried
@@ -125,7 +125,7 @@ class _Pair:
     @cached_property
     def driven(self) -> tuple[str, ...]:
         """The outputs asked for, or those of the machine that the reference drives; none where it drives none of them."""
-        return self.terms.outputs or _driven(self.reference, self.mine)
+        return self.terms.outputs or driven(self.reference.dialect, self.mine)
 
     def alike(self) -> Verdict:
         """Give the verdict where the student's program is the reference, line by line."""
@@ -190,15 +190,7 @@ def outputs_of(program: Program) -> tuple[str, ...]:
 
 
 def _outputs(program: Program, written: Places) -> tuple[str, ...]:
-    return _driven(program, written) or tuple(one.text for one in sorted(written, key=_order) if one.size == 1)
-
-
-def _driven(program: Program, written: Places) -> tuple[str, ...]:
-    return tuple(one.text for one in sorted(written, key=_order) if program.dialect.area(one).role == "output")
-
-
-def _order(place: Address) -> tuple[str, int, str]:
-    return place.area, place.index, place.text
+    return driven(program.dialect, written) or tuple(one.text for one in ordered(written) if one.size == 1)
 
 
 def _written(program: Program) -> Places:
@@ -206,16 +198,18 @@ def _written(program: Program) -> Places:
     found: Places = {}
     dialect = program.dialect
 
+    def note(place: Address, span: Span) -> None:
+        for bit in dialect.bits_of(place) or (place,):
+            found.setdefault(bit, span)
+
     def watch(one: Step[Column]) -> None:
         for place, _ in one.written:
-            for bit in dialect.bits_of(place) or (place,):
-                found.setdefault(bit, one.line.span)
+            note(place, one.line.span)
 
     inputs = {bit.text: X for place in program.addresses("input") for bit in dialect.bits_of(place)}
     sweep(program, Memory(), inputs, BITS, watch)
     for line in program.lines:
         for _, place in line.targets:
             if dialect.area(place).role == "output":
-                for bit in dialect.bits_of(place) or (place,):
-                    found.setdefault(bit, line.span)
+                note(place, line.span)
     return found

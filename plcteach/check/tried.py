@@ -34,6 +34,7 @@ MOST_LINE_SCANS = 12_000
 """So many lines are executed in all; a long program is tried over fewer scans."""
 SCAN_MS = 20
 _SEED = 20030907
+_ENDLESS = {"RUN002", "RUN003"}
 
 Row = dict[str, Any]
 
@@ -44,9 +45,10 @@ def tried(programs: tuple[Program, Program], outputs: tuple[str, ...], terms: Te
     lasting: for so many scans in a row; more than 1 passes over what only comes a scan or two later.
     """
     nothing: dict[str, Status] = dict.fromkeys(outputs, "unknown")
-    if any(errors(runaway(one)) for one in programs):
+    first = [_first_scan(one) for one in programs]
+    if any(errors(found) for _, found in first):
         return Verdict("unknown", outputs=nothing, explored=1)
-    lines = sum(max(len(one.lines), _executed(one)) + 1 for one in programs)
+    lines = sum(count + 1 for count, _ in first)
     scans = max(FEWEST_SCANS, min(SCANS, MOST_LINE_SCANS // (lines * FEWEST_TIMELINES)))
     count = max(FEWEST_TIMELINES, min(TIMELINES, MOST_LINE_SCANS // (lines * scans)))
     inputs = tuple(dict.fromkeys(place.text for one in programs for place in one.addresses("input")))
@@ -65,17 +67,14 @@ def tried(programs: tuple[Program, Program], outputs: tuple[str, ...], terms: Te
     return Verdict("unknown", outputs=nothing, explored=explored)
 
 
-def _executed(program: Program) -> int:
-    """Count the lines that the first scan executes; loops and calls make them more than are written."""
-    if plan_of(program).straight and not _calls(program):
-        return 0
+def _first_scan(program: Program) -> tuple[int, tuple[Diagnostic, ...]]:
+    """Count the lines that the first scan executes, where loops or calls make them more, and say where it has no end."""
+    if plan_of(program).straight and not any("call" in line.insn.does for line in program.lines):
+        return len(program.lines), ()
     seen: list[Line] = []
-    sweep(program, Memory(), {}, BITS, lambda one: seen.append(one.line))
-    return len(seen)
-
-
-def _calls(program: Program) -> bool:
-    return any("call" in line.insn.does for line in program.lines)
+    found: list[Diagnostic] = []
+    sweep(program, Memory(), {}, BITS, lambda one: seen.append(one.line), found=found)
+    return max(len(seen), len(program.lines)), tuple(one for one in dict.fromkeys(found) if one.code in _ENDLESS)
 
 
 def _parting(
@@ -105,9 +104,7 @@ def _differs(traces: tuple[Trace, ...], text: str, scan: int, terms: Terms) -> b
 
 def runaway(program: Program) -> tuple[Diagnostic, ...]:
     """Say where a program that goes back or calls does so for ever in its first scan, or too deep."""
-    if plan_of(program).straight and not _calls(program):
-        return ()
-    return tuple(one for one in run(program).diagnostics if one.code in {"RUN002", "RUN003"})
+    return _first_scan(program)[1]
 
 
 def _held(inputs: tuple[str, ...], scans: int, allowed: tuple[Program, Terms]) -> Iterator[Iterable[Row]]:

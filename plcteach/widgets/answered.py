@@ -47,11 +47,9 @@ def _picture(judgement: Judgement) -> dict[str, str]:
 def marks_of(exercise: Exercise, text: str) -> dict[str, Any]:
     """Say of each row of a grid that is done whether it is right; one that is being filled in is left in peace.
 
-    A row is done when as much is filled in as there is to fill in, or when a later row has been begun.  Of a hidden exercise
-    nothing is said: where a cell is 0 or 1, to know that it is wrong is to know what is right.
+    A row is done when as much is filled in as there is to fill in, or when a later row has been begun.  Not for a hidden
+    exercise: where a cell is 0 or 1, to know that it is wrong is to know what is right.
     """
-    if exercise.hidden:
-        return {"rows": [], "cells": []}
     wanted, given = (_filled(exercise, one) for one in (model(exercise), text))
     given += [0] * (len(wanted) - len(given))
     last = max((number for number, count in enumerate(given) if count), default=-1)

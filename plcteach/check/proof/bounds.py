@@ -120,10 +120,8 @@ def _presets(store: Store[Any], whole: Address, use: _Use) -> list[int] | None:
 def _timed(store: Store[Any], whole: Address, use: _Use, *, clamped: bool) -> Bound:
     base, block = store.base(whole), store.dialect.block(whole)
     presets = _presets(store, whole, use)
-    if presets is None or block is None:
+    if presets is None or block is None or min(presets, default=0) < 0:
         return Bound(((block.most if block else _MOST) * base).bit_length(), signed=True)
-    if min(presets, default=0) < 0:
-        return Bound((block.most * base).bit_length(), signed=True)
     most = max([one * base for one in presets] + [(one + 1) * base for one in use.compared] + [1])
     return _upto(min(most, block.most * base), held=clamped)
 

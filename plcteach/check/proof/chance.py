@@ -15,12 +15,11 @@ from plcteach.check.proof.replay import free_bits
 from plcteach.machine.world import beat
 
 if TYPE_CHECKING:
-    from collections.abc import Hashable, Iterable, Iterator, Mapping, Sequence
+    from collections.abc import Hashable, Iterable, Iterator, Sequence
 
     from plcteach.check.proof.budget import Budget
-    from plcteach.check.proof.product import Product, Question
+    from plcteach.check.proof.product import Product
     from plcteach.check.proof.walk import Scan
-    from plcteach.machine.gates import Compiled, Gate, Graph
 
 LANES, SCANS = 256, 400
 MOST_ROUNDS = 60
@@ -40,19 +39,11 @@ class Chance:
 
     def __init__(self, product: Product, budget: Budget) -> None:
         self.product, self.budget = product, budget
-        graph = product.graph
         self.names = product.inputs
         self.scans = 0
         self.tick_ms = product.unit if ("tick",) in self.names else CLOCK_MS
         self.drift = [name in product.drift for name in self.names]
-        self.first = self._compiled(graph, product.start, product.first, ())
-        self.later = self._compiled(graph, product.next, product.later, product.state)
-
-    def _compiled(
-        self, graph: Graph, ends: Mapping[Hashable, Gate], question: Question, state: Sequence[Hashable]
-    ) -> Compiled:
-        gates = [ends[name] for name in self.product.state]
-        return graph.compiled([*gates, graph.any(question.bad.values()), question.fair], (*state, *self.names))
+        self.first, self.later = product.scan(first=True), product.scan(first=False)
 
     def found(self, *, lasting: int = 1) -> list[Scan] | None:
         """Give scans that end with a difference, lasting so many of them; None where none was found."""

@@ -18,11 +18,12 @@ from plcteach.machine.scan import address_of
 from plcteach.machine.words import Vector
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Hashable, Iterable
+    from collections.abc import Callable, Hashable, Iterable, Sequence
 
     from plcteach.core.exercise import Terms
     from plcteach.core.program import Program
     from plcteach.core.spec import Dialect
+    from plcteach.machine.gates import Compiled
     from plcteach.machine.store import Memory
 
 NO_TIME = 1
@@ -85,6 +86,15 @@ class Product:
     def clocks(self) -> list[str]:
         """The clock bits among the inputs, which go by real time and cannot be made to wait."""
         return [name[1] for name in self.inputs if isinstance(name, tuple) and name[0] == "clock"]
+
+    def scan(self, *, first: bool, beside: Sequence[Gate] = ()) -> Compiled:
+        """Give the first scan as a function of the inputs, or a later one of state and inputs.
+
+        It gives what is remembered then, whether an output differs, whether the inputs may be so, and what is asked for beside.
+        """
+        ends, question = (self.start, self.first) if first else (self.next, self.later)
+        gates = [*(ends[name] for name in self.state), self.graph.any(question.bad.values()), question.fair, *beside]
+        return self.graph.compiled(gates, self.inputs if first else (*self.state, *self.inputs))
 
     def of(self, outputs: Iterable[str]) -> Product:
         """Give the same question about some of the outputs only, with what matters for those."""
@@ -200,9 +210,18 @@ def compared(one: Circuit) -> tuple[str, ...]:
     dialect = one.program.dialect
     written = one.writes - set(dialect.specials)
     places = [place for text in written if isinstance(place := dialect.address(text), Address)]
-    places.sort(key=lambda place: (place.area, place.index, place.text))
-    outputs = tuple(place.text for place in places if dialect.area(place).role == "output")
-    return outputs or tuple(place.text for place in places if place.size == 1 or dialect.block(place) is None)
+    others = [place for place in ordered(places) if place.size == 1 or dialect.block(place) is None]
+    return driven(dialect, places) or tuple(place.text for place in others)
+
+
+def driven(dialect: Dialect, places: Iterable[Address]) -> tuple[str, ...]:
+    """Give those of some places that are outputs of the machine, in order."""
+    return tuple(place.text for place in ordered(places) if dialect.area(place).role == "output")
+
+
+def ordered(places: Iterable[Address]) -> list[Address]:
+    """Put places in the order in which they are listed."""
+    return sorted(places, key=lambda place: (place.area, place.index, place.text))
 
 
 @dataclass

@@ -39,7 +39,13 @@ class Replay:
 
 
 def rows_of(product: Product, scans: Sequence[Scan]) -> list[Row] | None:
-    """Give scans as the machine takes them, each with its ms; None where no time makes the clocks what they should be, or they are too many."""
+    """Give scans as the machine takes them, each with its ms.
+
+    None where no time makes the clocks what they should be, or where they are too many.
+    """
+    free = free_bits(product)
+    if free and len(scans) > MOST_WRITTEN:
+        return None
     dialect = product.circuits[0].program.dialect
     clocks, ticking = product.clocks, TICK in product.inputs
     rows, now = [], 0
@@ -63,9 +69,8 @@ def rows_of(product: Product, scans: Sequence[Scan]) -> list[Row] | None:
             now += dt if number else 0
             row["ms"] = dt if number else 0
         rows.append(row)
-    free = free_bits(product)
     _once(rows, free)
-    return None if free and len(rows) > MOST_WRITTEN else rows
+    return rows
 
 
 def free_bits(product: Product) -> set[str]:

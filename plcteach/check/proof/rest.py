@@ -27,11 +27,8 @@ class _Resting:
     """Two programs on their way from rest to rest. made: the scans so far; bad: whether an output differs at rest."""
 
     def __init__(self, product: Product) -> None:
-        graph, self.names = product.graph, product.inputs
-        ends = [[gates[name] for name in product.state] for gates in (product.start, product.next)]
-        asked = [[graph.any(one.bad.values()), one.fair] for one in (product.first, product.later)]
-        self.first = graph.compiled([*ends[0], *asked[0]], self.names)
-        self.later = graph.compiled([*ends[1], *asked[1]], (*product.state, *self.names))
+        self.names = product.inputs
+        self.first, self.later = product.scan(first=True), product.scan(first=False)
         self.state: list[int] | None = None
         self.made: list[Scan] = []
         self.bad = False

@@ -34,7 +34,6 @@ if TYPE_CHECKING:
     from plcteach.check.proof.product import Product, Question
     from plcteach.check.proof.table import Model
     from plcteach.check.proof.walk import Scan
-    from plcteach.core.diagnostic import Diagnostic
     from plcteach.core.exercise import Terms
     from plcteach.core.program import Program
     from plcteach.core.verdict import Proof, Status
@@ -164,10 +163,10 @@ class Trial:
             self.explored = max(self.explored, trying.scans)
         if not self.parting:
             return None
-        if not settled:
-            return Verdict("different", None, None, self.said("different")) if alone else self.shown(self.parting)
-        scans = rested(self.product, self.parting)
-        return self.shown(scans) if scans else None
+        if alone and not settled:
+            return Verdict("different", None, None, self.said("different"))
+        scans = rested(self.product, self.parting) if settled else self.parting
+        return self.shown(scans, settled=settled) if scans else None
 
     def different(self, walker: Walker, found: Found) -> Verdict | None:
         """Show a difference, with as few presses as can be found; None where the plain machine does not show it."""
@@ -175,26 +174,32 @@ class Trial:
         best = fewest(walker, walker.budget)
         for cases in (best, found.cases):
             if cases is not None:
-                verdict = self.shown(list(walker.scans(cases)), settled=walker.settled)
+                scans = list(walker.scans(cases))
+                verdict = self.shown(scans, settled=walker.settled) or (self.pulse(scans) if walker.settled else None)
                 if verdict:
                     return verdict
+        return None
+
+    def pulse(self, scans: Sequence[Scan]) -> Verdict | None:
+        """Show a pulse on the way to rest, after which nothing differs any more."""
+        rows = rows_of(self.product, scans) or []
+        for cut in range(1, MOST_SETTLING_SCANS + 2) if len(rows) < MOST_CUT else ():
+            seen = replay(self.programs, rows[:-cut], self.product.outputs, self.terms)
+            if seen is not None:
+                said = rule("CHK005").at(Span(0), address=seen.example.address)
+                return replace(self.differing(seen, settled=True), diagnostics=(said,))
         return None
 
     def shown(self, scans: Sequence[Scan], *, settled: bool = False) -> Verdict | None:
         """Give the verdict that some scans show, each output judged for itself; None where they show nothing."""
         rows = rows_of(self.product, scans)
-        if not rows:
-            return None
-        seen = replay(self.programs, rows, self.product.outputs, self.terms)
-        said: tuple[Diagnostic, ...] = ()
-        for cut in range(1, MOST_SETTLING_SCANS + 2) if settled and seen is None and len(rows) < MOST_CUT else ():
-            seen = replay(self.programs, rows[:-cut], self.product.outputs, self.terms)
-            if seen is not None:
-                said = (rule("CHK005").at(Span(0), address=seen.example.address),)
-                break
-        if seen is None:
-            return None
-        return Verdict("different", None, seen.example, self.each(seen, settled=settled), said, self.explored)
+        seen = replay(self.programs, rows, self.product.outputs, self.terms) if rows else None
+        return self.differing(seen, settled=settled) if seen else None
+
+    def differing(self, seen: Replay, *, settled: bool) -> Verdict:
+        """Give the verdict of a difference that the plain machine has shown."""
+        said = self.each(seen, settled=settled)
+        return Verdict("different", None, seen.example, said, explored=self.explored)
 
     def each(self, seen: Replay, *, settled: bool) -> dict[str, Status]:
         """Judge the outputs that a counterexample says nothing of."""

@@ -80,16 +80,9 @@ class Walker:
         self.watch: _Pulses | None = None
         texts = sorted(set(product.first.seen) & set(product.later.seen)) if pulses and settled else []
         self.watched = 2 * len(texts)
-        graph = product.graph
         self.state, self.inputs = product.state, product.inputs
-        ends = [product.start[name] for name in self.state]
-        seen = [gate for text in texts for gate in product.first.seen[text]]
-        first = [*ends, graph.any(product.first.bad.values()), product.first.fair, *seen]
-        self.first = graph.compiled(first, self.inputs)
-        ends = [product.next[name] for name in self.state]
-        seen = [gate for text in texts for gate in product.later.seen[text]]
-        later = [*ends, graph.any(product.later.bad.values()), product.later.fair, *seen]
-        self.later = graph.compiled(later, (*self.state, *self.inputs))
+        self.first = product.scan(first=True, beside=[gate for text in texts for gate in product.first.seen[text]])
+        self.later = product.scan(first=False, beside=[gate for text in texts for gate in product.later.seen[text]])
         self.every = (1 << (1 << len(self.inputs))) - 1
         self.rows = patterns(len(self.inputs))
         self.timed = list(map(of_time, self.inputs))
